@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <ostream>
+
+#include "beadmesh/write/bead_csv.h"
+#include "beadmesh/write/bead_json.h"
+#include "outputs.h"
+#include "progress.h"
+#include "summary.h"
+#include "verbs.h"
+
+namespace beadmesh::app {
+
+Result<int> run_beads(const Options& options) {
+  ProgressBar bar;
+  const Context context = bar.context(options.settings.jobs);
+  const auto panel = read_panel(options.input, options.settings.read, context);
+  if (!panel) return tl::make_unexpected(panel.error());
+  const BeadTable table = recognise_beads(*panel, options.settings.beads, context);
+  bar.clear();
+
+  Outputs outputs;
+  outputs.add(options.outputs.json, [&](std::ostream& out) { out << bead_json(*panel, table); });
+  outputs.add(options.outputs.csv, [&](std::ostream& out) { out << bead_csv(*panel, table); });
+  if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
+  if (!outputs.uses_stdout()) fmt::print("{}", bead_summary(*panel, table));
+  return print_diagnostics(table.diagnostics) ? fell_short : done;
+}
+
+}  // namespace beadmesh::app

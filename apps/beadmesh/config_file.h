@@ -1,0 +1,15 @@
+// Settings from a TOML file.
+#pragma once
+
+#include <filesystem>
+
+#include "settings.h"
+
+namespace beadmesh::app {
+
+/// Keys: preset, size, min_edge, thickness, jobs, unit; [bead] min_aspect_ratio, max_joint_angle, min_rise;
+/// [read] chord, angle, max_facet, sew_tolerance, feature_angle. Lengths in mm, angles in degrees. Fails with
+/// config.*: no such file, a syntax error, an unknown key or a value of the wrong type, with its line.
+Result<SettingsLayer> read_config(const std::filesystem::path& path);
+
+}  // namespace beadmesh::app

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <ostream>
+
+#include "beadmesh/read/polygon_reader.h"
+#include "beadmesh/report/medial_svg.h"
+#include "beadmesh/write/medial_json.h"
+#include "outputs.h"
+#include "progress.h"
+#include "summary.h"
+#include "verbs.h"
+
+namespace beadmesh::app {
+namespace {
+
+struct Medials {
+  std::vector<FaceMedial> faces;
+  std::vector<Diagnostic> diagnostics;  ///< of faces that have none, and of the reader
+};
+
+bool is_polygon(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return ending == ".wkt" || ending == ".poly";
+}
+
+Vec3 in_space(Vec2 p) {
+  return {p.x, p.y, 0};
+}
+
+/// The plane is the surface: every point and foot gets z = 0.
+void lift_flat(FaceMedial& face) {
+  for (const MedialVertex& vertex : face.object.vertices) {
+    face.vertex_points.push_back(in_space(vertex.point));
+    std::vector<Vec3>& feet = face.vertex_feet.emplace_back();
+    for (const Foot& foot : vertex.touching_points) feet.push_back(in_space(foot.point));
+  }
+  for (const MedialEdge& edge : face.object.edges) {
+    std::vector<Vec3>& points = face.edge_points.emplace_back();
+    auto& feet = face.edge_feet.emplace_back();
+    for (const MedialPoint& point : edge.points) {
+      points.push_back(in_space(point.point));
+      feet.push_back({in_space(point.feet[0].point), in_space(point.feet[1].point)});
+    }
+  }
+}
+
+Result<Medials> of_polygon(const Options& options) {
+  if (options.face > 1) return fail("usage.face", "a plane polygon has one face only", "use --face 1 or all");
+  auto region = read_polygon(options.input);
+  if (!region) return tl::make_unexpected(region.error());
+  auto object = medial_object(*region);
+  if (!object) return tl::make_unexpected(object.error());
+  FaceMedial face;
+  face.face = 1;
+  face.region = std::move(*region);
+  face.object = std::move(*object);
+  lift_flat(face);
+  Medials medials;
+  medials.faces.push_back(std::move(face));
+  return medials;
+}
+
+bool has_face(const Panel& panel, Index number) {
+  return std::any_of(panel.faces.begin(), panel.faces.end(),
+                     [&](const PanelFace& f) { return f.number == number; });
+}
+
+Result<Medials> of_panel(const Options& options, const Context& context) {
+  const auto panel = read_panel(options.input, options.settings.read, context);
+  if (!panel) return tl::make_unexpected(panel.error());
+  if (options.face && !has_face(*panel, options.face))
+    return fail("usage.face", fmt::format("there is no face {}", options.face),
+                fmt::format("the panel has {} faces", panel->faces.size()), panel->input);
+  Medials medials;
+  medials.diagnostics = panel->diagnostics;
+  const Index count = static_cast<Index>(panel->faces.size());
+  for (Index i = 0; i < count; ++i) {
+    if (options.face && panel->faces[i].number != options.face) continue;
+    context.report("medial objects", static_cast<double>(i) / count);
+    auto face = medial_of_face(*panel, i);
+    if (face)
+      medials.faces.push_back(std::move(*face));
+    else
+      medials.diagnostics.push_back(face.error());
+  }
+  if (medials.faces.empty()) return tl::make_unexpected(medials.diagnostics.back());
+  return medials;
+}
+
+}  // namespace
+
+Result<int> run_medial(const Options& options) {
+  ProgressBar bar;
+  const auto medials = is_polygon(options.input) ? of_polygon(options) : of_panel(options, bar.context(0));
+  if (!medials) return tl::make_unexpected(medials.error());
+  bar.clear();
+
+  const std::string name = options.input.filename().string();
+  Outputs outputs;
+  outputs.add(options.outputs.json, [&](std::ostream& out) { out << medial_json(medials->faces); });
+  outputs.add(options.outputs.svg, [&](std::ostream& out) { out << medial_svg(medials->faces, name); });
+  if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
+  if (!outputs.uses_stdout()) fmt::print("{}", medial_summary(name, medials->faces));
+  return print_diagnostics(medials->diagnostics) ? fell_short : done;
+}
+
+}  // namespace beadmesh::app

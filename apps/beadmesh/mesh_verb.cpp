@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdio>
+#include <ostream>
+
+#include "beadmesh/report/panel_html.h"
+#include "beadmesh/report/panel_svg.h"
+#include "beadmesh/write/bead_csv.h"
+#include "beadmesh/write/bead_json.h"
+#include "beadmesh/write/deck.h"
+#include "outputs.h"
+#include "progress.h"
+#include "summary.h"
+#include "verbs.h"
+
+namespace beadmesh::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A slip in the size must not fill the memory.
+Result<void> check_element_count(const Panel& panel, const MeshSizes& sizes) {
+  constexpr double most = 5e6;
+  double area = 0;
+  for (const PanelFace& face : panel.faces)
+    for (const Triangle& t : face.facets.triangles) {
+      const Vec3 a = face.facets.points[t[0]], b = face.facets.points[t[1]], c = face.facets.points[t[2]];
+      area += norm(cross(b - a, c - a)) / 2;
+    }
+  const double count = area / (sizes.size * sizes.size);
+  if (count <= most) return {};
+  return fail("usage.size",
+              fmt::format("a size of {} mm would give about {:.1g} elements", sizes.size, count),
+              fmt::format("use at least {:.2g} mm", std::sqrt(area / most)), panel.input);
+}
+
+ReportFacts facts_of(const Panel& panel, const Settings& settings) {
+  return {panel.input,
+          {{"size", fmt::format("{:g} mm", settings.sizes.size)},
+           {"minimum edge", fmt::format("{:g} mm", settings.sizes.min_edge)},
+           {"thickness", fmt::format("{:g} mm", settings.sizes.thickness)},
+           {"faces", std::to_string(panel.faces.size())}}};
+}
+
+bool is_picture(const std::string& name) {
+  const std::string ending = std::filesystem::path(name).extension().string();
+  return ending.size() == 4 && std::tolower(static_cast<unsigned char>(ending[1])) == 's';
+}
+
+Outputs outputs_of(const Options& options, const Panel& panel, const PanelMesh& mesh) {
+  const OutputNames& names = options.outputs;
+  Outputs outputs;
+  outputs.add(names.deck, [&](std::ostream& out) { write_deck(mesh.mesh, names.deck, out); });
+  outputs.add(names.json, [&](std::ostream& out) { out << bead_json(panel, mesh); });
+  outputs.add(names.csv, [&](std::ostream& out) { out << bead_csv(panel, mesh.table); });
+  outputs.add(names.report, [&](std::ostream& out) {
+    out << (is_picture(names.report) ? panel_svg(mesh)
+                                     : panel_html(panel, mesh, facts_of(panel, options.settings)));
+  });
+  return outputs;
+}
+
+void print_summary(const Panel& panel, const PanelMesh& mesh, const Outputs& outputs,
+                   Clock::time_point start) {
+  std::string files;
+  for (const std::string& name : outputs.names()) files += (files.empty() ? "" : ", ") + name;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  fmt::print("{}{}wrote {} in {:.1f} s\n", bead_summary(panel, mesh.table, mesh.meshing),
+             quality_summary(mesh.quality), files, seconds);
+}
+
+}  // namespace
+
+Result<int> run_mesh(const Options& options) {
+  const auto start = Clock::now();
+  const MeshSizes& sizes = options.settings.sizes;
+  ProgressBar bar;
+  const Context context = bar.context(options.settings.jobs);
+  const auto panel = read_panel(options.input, options.settings.read, context);
+  if (!panel) return tl::make_unexpected(panel.error());
+  if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());
+  auto mesh = mesh_panel(*panel, sizes, options.settings.beads, context);
+  if (!mesh) return tl::make_unexpected(mesh.error());
+  bar.clear();
+
+  mesh->mesh.title =
+      fmt::format("{}, size {:g} mm, minimum edge {:g} mm", panel->input, sizes.size, sizes.min_edge);
+  const std::vector<Diagnostic> short_of = shortfalls(*panel, *mesh, sizes.min_edge);
+  mesh->table.diagnostics.insert(mesh->table.diagnostics.end(), short_of.begin(), short_of.end());
+  if (auto good = check_deck_mesh(mesh->mesh); !good) return tl::make_unexpected(good.error());
+  Outputs outputs = outputs_of(options, *panel, *mesh);
+  if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
+
+  if (!outputs.uses_stdout()) print_summary(*panel, *mesh, outputs, start);
+  const bool any_error = print_diagnostics(mesh->table.diagnostics);
+  return any_error || !short_of.empty() ? fell_short : done;
+}
+
+}  // namespace beadmesh::app

@@ -1,0 +1,150 @@
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "beadmesh/core/version.h"
+#include "config_file.h"
+
+namespace beadmesh::app {
+namespace {
+
+/// What CLI11 fills in, before it is checked.
+struct RawOptions {
+  std::string input, config, face = "all";
+  OutputNames outputs;
+  SettingsLayer flags;
+};
+
+void add_unit(CLI::App& verb, RawOptions& raw) {
+  verb.add_option("--unit", raw.flags.unit,
+                  "unit of inputs that carry none: mm, cm, m, um, in, ft (default mm)");
+}
+
+void add_common(CLI::App& verb, RawOptions& raw) {
+  verb.add_option("PANEL", raw.input, "panel: .step .stp .iges .igs .brep .stl")->required();
+  verb.add_option("--json", raw.outputs.json, "bead table as JSON; - for standard output");
+  verb.add_option("--config", raw.config, "settings from a TOML file; options given here win");
+  verb.add_option("--jobs", raw.flags.jobs, "threads (default: all cores)");
+  add_unit(verb, raw);
+}
+
+void add_mesh(CLI::App& app, RawOptions& raw) {
+  CLI::App& verb =
+      *app.add_subcommand("mesh", "mesh a panel: recognised beads on purpose, the rest around them");
+  add_common(verb, raw);
+  verb.add_option("-o,--output", raw.outputs.deck, "mesh: .bdf .nas .dat (Nastran)")->required();
+  verb.add_option("--size", raw.flags.size, "element size, mm (default 5)");
+  verb.add_option("--min-edge", raw.flags.min_edge, "minimum element length, mm (default: half the size)");
+  verb.add_option("--preset", raw.flags.preset,
+                  "crash (5 / 2.5 mm), nvh (10 / 4 mm), durability (5 / 1.5 mm)");
+  verb.add_option("--thickness", raw.flags.thickness, "sheet thickness in the properties, mm (default 1)");
+  verb.add_option("--report", raw.outputs.report, "report: .html, or only the picture: .svg");
+  verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
+}
+
+void add_beads(CLI::App& app, RawOptions& raw) {
+  CLI::App& verb = *app.add_subcommand("beads", "recognise the beads of a panel: their table");
+  add_common(verb, raw);
+  verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
+}
+
+void add_medial(CLI::App& app, RawOptions& raw) {
+  CLI::App& verb = *app.add_subcommand("medial", "the medial object of faces or of a plane polygon");
+  verb.add_option("INPUT", raw.input, "panel, or plane polygon: .wkt .poly")->required();
+  verb.add_option("--face", raw.face, "number of the face, or all (default all)");
+  verb.add_option("--json", raw.outputs.json, "medial object as JSON; - for standard output");
+  verb.add_option("--svg", raw.outputs.svg, "picture: .svg");
+  add_unit(verb, raw);
+}
+
+void add_check(CLI::App& app, RawOptions& raw) {
+  CLI::App& verb = *app.add_subcommand("check", "quality of a mesh file");
+  verb.add_option("MESH", raw.input, "mesh: .bdf .nas .dat (Nastran)")->required();
+  verb.add_option("--size", raw.flags.size, "element size it was made for, mm");
+  verb.add_option("--min-edge", raw.flags.min_edge, "minimum element length, mm: shorter edges are counted");
+  verb.add_option("--json", raw.outputs.json, "figures as JSON; - for standard output");
+}
+
+/// CLI11 takes an empty text for a value that was not given.
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::App* verb : app.get_subcommands({}))
+    for (CLI::Option* option : verb->get_options())
+      option->check([](const std::string& text) { return text.empty() ? "is empty" : ""; });
+}
+
+Result<Index> face_number(const std::string& text) {
+  if (text == "all") return 0;
+  Index number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 1)
+    return fail("usage.face", fmt::format("'{}' is no face", text), "give a number from 1, or all");
+  return number;
+}
+
+Result<Settings> settings_of(Verb verb, const RawOptions& raw) {
+  Settings settings;
+  if (!raw.config.empty()) {
+    const auto layer = read_config(raw.config);
+    if (!layer) return tl::make_unexpected(layer.error());
+    if (auto done = apply(*layer, settings); !done) return tl::make_unexpected(done.error());
+  }
+  SettingsLayer flags = raw.flags;
+  if (verb == Verb::check && flags.min_edge && !flags.size)
+    flags.size = flags.min_edge;  // not a contradiction there
+  if (auto done = apply(flags, settings); !done) return tl::make_unexpected(done.error());
+  if (auto good = check(settings); !good) return tl::make_unexpected(good.error());
+  return settings;
+}
+
+Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
+  Options options;
+  for (const auto& [name, verb] : {std::pair{"mesh", Verb::mesh}, std::pair{"beads", Verb::beads},
+                                   std::pair{"medial", Verb::medial}, std::pair{"check", Verb::check}})
+    if (app.got_subcommand(name)) options.verb = verb;
+  options.input = raw.input;
+  options.outputs = raw.outputs;
+  options.has_size = raw.flags.size.has_value();
+  options.has_min_edge = raw.flags.min_edge.has_value();
+  const auto face = face_number(raw.face);
+  if (!face) return tl::make_unexpected(face.error());
+  options.face = *face;
+  auto settings = settings_of(options.verb, raw);
+  if (!settings) return tl::make_unexpected(settings.error());
+  options.settings = std::move(*settings);
+  return options;
+}
+
+}  // namespace
+
+Result<std::optional<Options>> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("Meshes sheet-metal panels with their beads recognised and meshed on purpose.", "beadmesh");
+  app.set_version_flag("--version", "beadmesh " + std::string(version()));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 done; 1 done, but something fell short and is named; 2 wrong usage or unreadable "
+      "input,\n"
+      "nothing written; 3 internal error. 'beadmesh VERB --help' lists the options of a verb.");
+  RawOptions raw;
+  add_mesh(app, raw);
+  add_beads(app, raw);
+  add_medial(app, raw);
+  add_check(app, raw);
+  refuse_empty_values(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    app.exit(request, std::cout, std::cerr);
+    return std::nullopt;
+  } catch (const CLI::ParseError& problem) {
+    return fail("usage.arguments", problem.what(), "see beadmesh --help");
+  }
+  auto options = options_of(app, raw);
+  if (!options) return tl::make_unexpected(options.error());
+  return std::optional<Options>(std::move(*options));
+}
+
+}  // namespace beadmesh::app

@@ -1,0 +1,33 @@
+// The command line.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "settings.h"
+
+namespace beadmesh::app {
+
+enum class Verb { mesh, beads, medial, check };
+
+/// Files to write; empty: not asked for; "-": standard output (json and csv only).
+struct OutputNames {
+  std::string deck, json, csv, report, svg;
+};
+
+struct Options {
+  Verb verb = Verb::mesh;
+  std::filesystem::path input;
+  OutputNames outputs;
+  Settings settings;
+  Index face = 0;         ///< of `medial`: 1-based number, 0: all
+  bool has_size = false;  ///< of `check`: was given
+  bool has_min_edge = false;
+};
+
+/// The options; none where help or version was asked for and has been printed. Fails with usage.* and
+/// config.*.
+Result<std::optional<Options>> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace beadmesh::app

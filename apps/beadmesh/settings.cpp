@@ -1,0 +1,102 @@
+#include "settings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace beadmesh::app {
+namespace {
+
+struct Preset {
+  const char* name;
+  double size, min_edge;
+};
+
+constexpr Preset presets[] = {{"crash", 5, 2.5}, {"nvh", 10, 4}, {"durability", 5, 1.5}};
+
+Result<void> apply_preset(const std::string& name, MeshSizes& sizes) {
+  for (const Preset& preset : presets) {
+    if (name != preset.name) continue;
+    sizes.size = preset.size;
+    sizes.min_edge = preset.min_edge;
+    return {};
+  }
+  return fail("usage.preset", fmt::format("unknown preset '{}'", name), "known: crash, nvh, durability");
+}
+
+void apply_sizes(const SettingsLayer& layer, MeshSizes& sizes) {
+  const double ratio = sizes.size > 0 ? sizes.min_edge / sizes.size : 0.5;
+  if (layer.size) sizes.size = *layer.size;
+  if (layer.min_edge)
+    sizes.min_edge = *layer.min_edge;
+  else if (layer.size)
+    sizes.min_edge = ratio * *layer.size;
+  sizes.thickness = layer.thickness.value_or(sizes.thickness);
+}
+
+void set(double& target, const std::optional<double>& value, double factor = 1) {
+  if (value) target = *value * factor;
+}
+
+struct Bound {
+  const char* code;
+  const char* what;
+  double value;
+  double low, high;  ///< both allowed, unless low is 0 and `open`
+  bool open;
+};
+
+Result<void> check_bound(const Bound& b) {
+  const bool good =
+      std::isfinite(b.value) && (b.open ? b.value > b.low : b.value >= b.low) && b.value <= b.high;
+  if (good) return {};
+  return fail(b.code, fmt::format("the {} is {}", b.what, b.value),
+              fmt::format("it must be {} {} and at most {}", b.open ? "above" : "at least", b.low, b.high));
+}
+
+}  // namespace
+
+Result<void> apply(const SettingsLayer& layer, Settings& settings) {
+  if (layer.preset)
+    if (auto known = apply_preset(*layer.preset, settings.sizes); !known) return known;
+  apply_sizes(layer, settings.sizes);
+  settings.jobs = layer.jobs.value_or(settings.jobs);
+  settings.read.unit = layer.unit.value_or(settings.read.unit);
+  set(settings.beads.min_aspect_ratio, layer.min_aspect_ratio);
+  set(settings.beads.max_joint_angle, layer.max_joint_angle, radians(1));
+  set(settings.beads.min_rise, layer.min_rise);
+  set(settings.read.chord, layer.chord);
+  set(settings.read.angle, layer.angle, radians(1));
+  set(settings.read.max_facet, layer.max_facet);
+  set(settings.read.sew_tolerance, layer.sew_tolerance);
+  set(settings.read.feature_angle, layer.feature_angle, radians(1));
+  return {};
+}
+
+Result<void> check(const Settings& s) {
+  const Bound bounds[] = {
+      {"usage.size", "element size (mm)", s.sizes.size, 0, 1e6, true},
+      {"usage.min_edge", "minimum edge length (mm)", s.sizes.min_edge, 0, 1e6, true},
+      {"usage.thickness", "thickness (mm)", s.sizes.thickness, 0, 1e6, true},
+      {"usage.jobs", "number of jobs", static_cast<double>(s.jobs), 0, 1024, false},
+      {"usage.min_aspect_ratio", "least aspect ratio of a bead", s.beads.min_aspect_ratio, 0, 1e6, false},
+      {"usage.max_joint_angle", "largest joint angle (degrees)", degrees(s.beads.max_joint_angle), 0, 180,
+       false},
+      {"usage.min_rise", "least rise of a bead", s.beads.min_rise, 0, 1e6, false},
+      {"usage.chord", "chord error of the facets (mm)", s.read.chord, 0, 1e6, true},
+      {"usage.angle", "angle of the facets (degrees)", degrees(s.read.angle), 0, 90, true},
+      {"usage.max_facet", "longest facet edge (mm)", s.read.max_facet, 0, 1e6, false},
+      {"usage.sew_tolerance", "tolerance of sewing (mm)", s.read.sew_tolerance, 0, 1e6, false},
+      {"usage.feature_angle", "feature angle (degrees)", degrees(s.read.feature_angle), 0, 180, false},
+  };
+  for (const Bound& bound : bounds)
+    if (auto good = check_bound(bound); !good) return good;
+  if (s.sizes.min_edge > s.sizes.size)
+    return fail("usage.min_edge",
+                fmt::format("the minimum edge length {} mm is above the element size {} mm", s.sizes.min_edge,
+                            s.sizes.size),
+                "half the size is usual");
+  return {};
+}
+
+}  // namespace beadmesh::app

@@ -1,0 +1,37 @@
+// What the user can set, and the layers it comes from: defaults, configuration file, command line.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "beadmesh/core/result.h"
+#include "beadmesh/pipeline.h"
+#include "beadmesh/read/panel_reader.h"
+
+namespace beadmesh::app {
+
+struct Settings {
+  MeshSizes sizes;
+  BeadOptions beads;
+  ReadOptions read;
+  int jobs = 0;  ///< default 0: all cores
+};
+
+/// What one layer says; what it leaves out stays as it was.
+struct SettingsLayer {
+  std::optional<std::string> preset;  ///< crash, nvh, durability
+  std::optional<double> size, min_edge, thickness;
+  std::optional<int> jobs;
+  std::optional<std::string> unit;
+  std::optional<double> min_aspect_ratio, max_joint_angle, min_rise;            ///< angle in degrees
+  std::optional<double> chord, angle, max_facet, sew_tolerance, feature_angle;  ///< angles in degrees
+};
+
+/// The preset of the layer first, then its values. A size without a minimum edge keeps their ratio. Fails
+/// with usage.preset.
+Result<void> apply(const SettingsLayer& layer, Settings& settings);
+
+/// Fails with usage.* where a value makes no sense, alone or with the others; says which.
+Result<void> check(const Settings& settings);
+
+}  // namespace beadmesh::app

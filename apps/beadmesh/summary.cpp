@@ -1,0 +1,129 @@
+#include "summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace beadmesh::app {
+namespace {
+
+std::string plural(size_t count, const char* word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+std::string faces_of(const Panel& panel, const Bead& bead) {
+  std::string text;
+  for (const Index face : bead.faces)
+    text += fmt::format("{}{}", text.empty() ? "" : ",", panel.faces.at(face).number);
+  return text.size() > 14 ? text.substr(0, 12) + ".." : text;
+}
+
+std::string counts_by_kind(const BeadTable& table) {
+  std::string text;
+  for (const BeadKind kind : {BeadKind::I, BeadKind::generic, BeadKind::annular}) {
+    const auto count =
+        std::count_if(table.beads.begin(), table.beads.end(), [&](const Bead& b) { return b.kind == kind; });
+    if (count) text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", count, name_of(kind));
+  }
+  return text.empty() ? "" : text + ")";
+}
+
+std::string count_of(const MedialObject& object, MedialVertexType type, const char* name) {
+  const auto count = std::count_if(object.vertices.begin(), object.vertices.end(),
+                                   [&](const MedialVertex& v) { return v.type == type; });
+  return count ? fmt::format(" {}{}", count, name) : "";
+}
+
+}  // namespace
+
+std::string bead_summary(const Panel& panel, const BeadTable& table,
+                         const std::vector<BeadMeshing>& meshing) {
+  std::string text = fmt::format("{}: {}, {}{}\n", panel.input, plural(panel.faces.size(), "face"),
+                                 plural(table.beads.size(), "bead"), counts_by_kind(table));
+  if (table.beads.empty()) return text;
+  text += fmt::format("{:>4}  {:8} {:8} {:14} {:>9} {:>8} {:>8} {:>6}", "id", "kind", "shape", "faces",
+                      "length", "width", "height", "ratio");
+  text += meshing.empty() ? "\n" : fmt::format("  {:8} {:>8}\n", "meshed", "elements");
+  for (size_t i = 0; i < table.beads.size(); ++i) {
+    const Bead& b = table.beads[i];
+    text += fmt::format("{:>4}  {:8} {:8} {:14} {:>9.2f} {:>8.2f} {:>8.2f} {:>6.1f}", b.id, name_of(b.kind),
+                        b.shape, faces_of(panel, b), b.length, b.width, b.height, b.aspect_ratio);
+    text += i < meshing.size() ? fmt::format("  {:8} {:>8}\n", meshing[i].method, meshing[i].elements) : "\n";
+  }
+  return text;
+}
+
+std::string quality_summary(const QualitySummary& q) {
+  const int elements = q.quads + q.trias;
+  return fmt::format(
+      "mesh: {} nodes, {} quads, {} triangles ({:.2f} % quads), {} irregular nodes\n"
+      "quality: scaled Jacobian min {:.3f}, mean {:.3f}; {} inverted; warpage up to {:.1f} degrees\n"
+      "edges: {:.3f} to {:.3f} mm, {} below the minimum\n",
+      q.nodes, q.quads, q.trias, elements ? 100.0 * q.quads / elements : 0.0, q.irregular,
+      q.scaled_jacobian_min, q.scaled_jacobian_mean, q.inverted, q.warpage_max, q.edge_min, q.edge_max,
+      q.edges_below_min);
+}
+
+std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces) {
+  std::string text = fmt::format("{}: medial object of {}\n", input, plural(faces.size(), "face"));
+  text += fmt::format("{:>6} {:>6} {:>6} {:>10} {:>24}  vertices\n", "face", "loops", "edges", "length",
+                      "thickness");
+  for (const FaceMedial& face : faces) {
+    double length = 0, low = 0, high = 0, area = 0;
+    for (const MedialEdge& edge : face.object.edges) {
+      low = length > 0 ? std::min(low, edge.thickness.min) : edge.thickness.min;
+      high = std::max(high, edge.thickness.max);
+      length += edge.length, area += edge.length * edge.thickness.mean;
+    }
+    text += fmt::format(
+        "{:>6} {:>6} {:>6} {:>10.2f} {:>24}  {}\n", face.face, face.object.loops, face.object.edges.size(),
+        length, fmt::format("{:.2f} / {:.2f} / {:.2f}", low, length > 0 ? area / length : 0.0, high),
+        count_of(face.object, MedialVertexType::J, "J") + count_of(face.object, MedialVertexType::C, "C") +
+            count_of(face.object, MedialVertexType::S, "S") +
+            count_of(face.object, MedialVertexType::isolated, " isolated"));
+  }
+  return text;
+}
+
+std::vector<Diagnostic> shortfalls(const QualitySummary& quality, double min_edge) {
+  std::vector<Diagnostic> found;
+  if (quality.inverted > 0)
+    found.push_back({"quality.inverted", Severity::warning, no_index, "",
+                     plural(quality.inverted, "inverted element"), ""});
+  if (min_edge > 0 && quality.edges_below_min > 0)
+    found.push_back({"quality.min_edge", Severity::warning, no_index, "",
+                     fmt::format("{} below the minimum of {} mm, the shortest is {:.4f} mm",
+                                 plural(quality.edges_below_min, "edge"), min_edge, quality.edge_min),
+                     ""});
+  return found;
+}
+
+std::vector<Diagnostic> shortfalls(const Panel& panel, const PanelMesh& mesh, double min_edge) {
+  std::vector<Diagnostic> found;
+  for (size_t i = 0; i < mesh.meshing.size() && i < mesh.table.beads.size(); ++i) {
+    if (mesh.meshing[i].method != "fallback") continue;
+    const Bead& bead = mesh.table.beads[i];
+    std::string notes;
+    for (const std::string& note : mesh.meshing[i].notes) notes += ": " + note;
+    found.push_back(
+        {"mesh.fallback", Severity::warning,
+         bead.faces.empty() ? no_index : panel.faces.at(bead.faces[0]).number,
+         fmt::format("bead {}", bead.id),
+         fmt::format("the {} bead {} was meshed by the fall-back{}", name_of(bead.kind), bead.shape, notes),
+         ""});
+  }
+  for (Diagnostic& one : shortfalls(mesh.quality, min_edge)) found.push_back(std::move(one));
+  return found;
+}
+
+bool print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
+  bool any_error = false;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    fmt::print(stderr, "{}\n", to_line(diagnostic));
+    any_error |= diagnostic.severity == Severity::error;
+  }
+  return any_error;
+}
+
+}  // namespace beadmesh::app

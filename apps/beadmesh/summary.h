@@ -1,0 +1,29 @@
+// What a verb says at its end: a few lines for people, and what fell short.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/panel/panel.h"
+
+namespace beadmesh::app {
+
+/// "panel.step: 17 faces, 13 beads (6 I, 5 generic, 2 annular)" and the bead table; with `meshing` how each
+/// was meshed.
+std::string bead_summary(const Panel& panel, const BeadTable& table,
+                         const std::vector<BeadMeshing>& meshing = {});
+/// Counts, quality and edges, a line each.
+std::string quality_summary(const QualitySummary& quality);
+/// A line per face: loops, vertices by type, edges, length, thickness.
+std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces);
+
+/// What a user must know of a run that is done: beads meshed by the fall-back, inverted elements, edges below
+/// `min_edge`. Empty where nothing fell short.
+std::vector<Diagnostic> shortfalls(const Panel& panel, const PanelMesh& mesh, double min_edge);
+std::vector<Diagnostic> shortfalls(const QualitySummary& quality, double min_edge);
+
+/// Notes and warnings on standard error, one a line; true where one is an error.
+bool print_diagnostics(const std::vector<Diagnostic>& diagnostics);
+
+}  // namespace beadmesh::app

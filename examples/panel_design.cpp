@@ -1,0 +1,46 @@
+#include "examples/panel_design.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadmesh::examples {
+
+double Base::height(Vec2 p) const {
+  if (radius > 0) return std::sqrt(radius * radius - p.x * p.x) - radius;
+  return xx * p.x * p.x + yy * p.y * p.y + xy * p.x * p.y + xxx * p.x * p.x * p.x;
+}
+
+Vec3 Base::normal(Vec2 p) const {
+  if (radius > 0) return normalized(Vec3{p.x, 0, std::sqrt(radius * radius - p.x * p.x)});
+  const double dx = 2 * xx * p.x + xy * p.y + 3 * xxx * p.x * p.x, dy = 2 * yy * p.y + xy * p.x;
+  return normalized(Vec3{-dx, -dy, 1});
+}
+
+std::vector<PlanLoop> Feature::loops() const {
+  std::vector<PlanLoop> result;
+  for (const PlanLoop& loop : footprint.loops) result.push_back(placed(loop, origin, angle));
+  return result;
+}
+
+double Feature::rise(Vec2 local, double inside) const {
+  if (inside <= 0) return 0;
+  double half = footprint.half_width;
+  if (footprint.end_half_width != half) {
+    const Vec2 axis = footprint.axis_end - footprint.axis_start;
+    const double along = std::clamp(dot(local - footprint.axis_start, axis) / squared_norm(axis), 0.0, 1.0);
+    half += along * (footprint.end_half_width - half);
+  }
+  // Both rise with the third power of the distance, so that slope and curvature vanish along the boundary and
+  // a cubic spline follows closely; both are level at the crest.
+  const double t = std::min(inside / half, 1.0);
+  const double part =
+      profile == Profile::bead ? t * t * t * (4 - 3 * t) : t * t * t * (10 - t * (15 - 6 * t));
+  return height * part;
+}
+
+int PanelDesign::count(const std::string& kind) const {
+  return int(
+      std::count_if(features.begin(), features.end(), [&](const Feature& f) { return f.kind == kind; }));
+}
+
+}  // namespace beadmesh::examples

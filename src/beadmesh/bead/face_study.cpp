@@ -1,0 +1,76 @@
+#include "beadmesh/bead/face_study.h"
+
+#include "beadmesh/flatten/flat_region.h"
+
+namespace beadmesh {
+namespace {
+
+/// Direction in which the boundary leaves its point i, forward or backward, on the exact curve where there is one.
+Vec3 boundary_direction(const Panel& panel, const EdgeUse& use, bool at_start) {
+  const PanelEdge& edge = panel.edges[use.edge];
+  const bool front = at_start != use.reversed;  // of the edge's own points
+  const size_t n = edge.points.size();
+  const Vec3 here = panel.points[front ? edge.points.front() : edge.points.back()];
+  if (edge.curve && edge.parameters.size() == n) {
+    const double t0 = front ? edge.parameters.front() : edge.parameters.back();
+    const double t1 = front ? edge.parameters[1] : edge.parameters[n - 2];
+    const Vec3 near = edge.curve->point(t0 + 0.02 * (t1 - t0));
+    if (distance(near, here) > 0) return normalized(near - here);
+  }
+  return normalized(panel.points[front ? edge.points[1] : edge.points[n - 2]] - here);
+}
+
+/// Turn of the loop at the joint between two uses, radians.
+double joint_angle(const Panel& panel, const EdgeUse& before, const EdgeUse& after) {
+  return angle_between(-boundary_direction(panel, before, false), boundary_direction(panel, after, true));
+}
+
+/// A single face knows its edges: joints are where two of them meet.
+std::vector<std::vector<double>> joints_of_face(const Panel& panel, const PanelFace& face) {
+  std::vector<std::vector<double>> angles;
+  for (size_t l = 0; l < face.loops.size(); ++l) {
+    const auto& uses = face.loops[l];
+    std::vector<double> of_loop(face.facets.loops[l].size(), 0);
+    size_t at = 0;
+    for (size_t u = 0; u < uses.size(); ++u) {
+      const EdgeUse& before = uses[(u + uses.size() - 1) % uses.size()];
+      if (at < of_loop.size()) of_loop[at] = joint_angle(panel, before, uses[u]);
+      at += panel.edges[uses[u].edge].points.size() - 1;
+    }
+    angles.push_back(std::move(of_loop));
+  }
+  return angles;
+}
+
+std::vector<std::vector<bool>> corners_over(const std::vector<std::vector<double>>& angles, double limit) {
+  std::vector<std::vector<bool>> corners;
+  for (const auto& loop : angles) {
+    std::vector<bool> of_loop;
+    for (double angle : loop) of_loop.push_back(angle > limit);
+    corners.push_back(std::move(of_loop));
+  }
+  return corners;
+}
+
+}  // namespace
+
+Vec3 FaceStudy::lift(Vec2 flat_point) const { return map->surface_point(map->locate(flat_point)); }
+
+Result<std::unique_ptr<FaceStudy>> study_faces(const Panel& panel, const std::vector<Index>& faces,
+                                               double corner_angle) {
+  auto study = std::make_unique<FaceStudy>();
+  study->faces = faces;
+  study->facets = facets_of(panel, faces);
+  auto flat = flatten(study->facets);
+  if (!flat) return tl::unexpected(flat.error());
+  study->flat = std::move(*flat);
+  study->map = std::make_unique<SurfaceMap>(study->facets, study->flat);
+  if (faces.size() == 1)
+    study->joint_angles = joints_of_face(panel, panel.faces[faces[0]]);
+  else
+    for (const auto& loop : study->facets.loops) study->joint_angles.emplace_back(loop.size(), 0.0);
+  study->region = flat_region(study->facets, study->flat, corners_over(study->joint_angles, corner_angle));
+  return study;
+}
+
+}  // namespace beadmesh

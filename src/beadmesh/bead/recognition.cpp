@@ -1,0 +1,138 @@
+#include "beadmesh/bead/recognition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "beadmesh/bead/ridge.h"
+#include "beadmesh/bead/shape_letter.h"
+
+namespace beadmesh {
+namespace {
+
+/// A medial point on the surface, with what the bead's cross-section does there.
+struct CrossSection {
+  Vec3 crest;
+  double chord = 0;   ///< distance between the two feet
+  double height = 0;  ///< of the crest over the chord
+  double rise = 0;    ///< of the crest over the sheet, continued as an arc between the feet
+};
+
+CrossSection cross_section(const FaceStudy& study, const MedialPoint& medial) {
+  CrossSection out;
+  const SurfaceMap& map = *study.map;
+  const auto crest = map.locate(medial.point);
+  const auto left = map.locate(medial.feet[0].point, crest.triangle);
+  const auto right = map.locate(medial.feet[1].point, crest.triangle);
+  const Vec3 a = map.surface_point(left), b = map.surface_point(right);
+  out.crest = map.surface_point(crest);
+  out.chord = distance(a, b);
+  if (out.chord <= 0) return out;
+  const Vec3 along = (b - a) / out.chord;
+  const Vec3 from_chord = (out.crest - a) - along * dot(out.crest - a, along);
+  const Vec3 na = map.normal(left), nb = map.normal(right);
+  const Vec3 up = normalized(na + nb);
+  const double side = dot(from_chord, up) < 0 ? -1 : 1;
+  out.height = norm(from_chord);
+  // Normals that lean apart mean a sheet that bulges up between the feet, by chord * angle / 8.
+  const double bulge = out.chord * std::asin(std::clamp(dot(nb - na, along) / 2, -1.0, 1.0)) * 2 / 8;
+  out.rise = std::abs(side * out.height - bulge);
+  return out;
+}
+
+struct Measures {
+  double length = 0;
+  double width_integral = 0, height_integral = 0, rise_integral = 0;
+  double ratio_sum = 0;
+};
+
+/// Adds a medial edge: length on the surface, trapezium rule for the rest.
+void add_edge(const FaceStudy& study, const MedialEdge& edge, Measures& sum) {
+  std::vector<CrossSection> sections;
+  for (const MedialPoint& p : edge.points) sections.push_back(cross_section(study, p));
+  if (edge.type == MedialEdgeType::N && !sections.empty()) sections.push_back(sections.front());
+  double length = 0, width = 0;
+  for (size_t i = 1; i < sections.size(); ++i) {
+    const CrossSection &a = sections[i - 1], &b = sections[i];
+    const double step = distance(a.crest, b.crest);
+    length += step;
+    width += step * (a.chord + b.chord) / 2;
+    sum.height_integral += step * (a.height + b.height) / 2;
+    sum.rise_integral += step * (a.rise + b.rise) / 2;
+  }
+  sum.length += length;
+  sum.width_integral += width;
+  if (width > 0) sum.ratio_sum += length * length / width;
+}
+
+std::string format(const char* pattern, double a, double b) {
+  char text[128];
+  std::snprintf(text, sizeof text, pattern, a, b);
+  return text;
+}
+
+BeadKind kind_of(const MedialObject& medial, size_t loops) {
+  if (medial.edges.size() == 1 && medial.edges[0].type == MedialEdgeType::N && loops == 2) return BeadKind::annular;
+  if (medial.edges.size() == 1 && medial.edges[0].type == MedialEdgeType::SS) return BeadKind::I;
+  return BeadKind::generic;
+}
+
+std::vector<RidgeCurve> curves_of(const FaceStudy& study, const RidgeGraph& graph) {
+  std::vector<RidgeCurve> curves;
+  for (const RidgeArm& arm : graph.arms) {
+    RidgeCurve curve;
+    curve.flat = arm.points;
+    curve.closed = arm.start == no_index;
+    for (Vec2 p : arm.points) curve.points.push_back(study.lift(p));
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace
+
+Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options) {
+  const size_t loops = study.region.loops.size();
+  if (loops > 2)
+    return fail("bead.loops", "it has " + std::to_string(loops) + " loops, a bead has one or two");
+  double sharpest = 0;
+  for (const auto& loop : study.joint_angles)
+    for (double angle : loop) sharpest = std::max(sharpest, angle);
+  if (sharpest > options.max_joint_angle)
+    return fail("bead.corner", format("its boundary turns by %.1f degrees at a joint, over %.1f", degrees(sharpest),
+                                      degrees(options.max_joint_angle)));
+  return {};
+}
+
+Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const BeadOptions& options) {
+  Measures sum;
+  for (const MedialEdge& edge : medial.edges) add_edge(study, edge, sum);
+  if (medial.edges.empty() || sum.width_integral <= 0)
+    return fail("bead.no_axis", "its medial object has no edge of a length");
+  Bead bead;
+  bead.loops = int(study.region.loops.size());
+  bead.length = sum.length;
+  bead.width = sum.width_integral / sum.length;
+  bead.height = sum.height_integral / sum.length;
+  bead.aspect_ratio = sum.ratio_sum / double(medial.edges.size());
+  bead.medial_edges = int(medial.edges.size());
+  for (const MedialVertex& v : medial.vertices) ++(v.type == MedialVertexType::J ? bead.junctions : bead.ends);
+  if (bead.aspect_ratio < options.min_aspect_ratio)
+    return fail("bead.aspect_ratio", format("aspect ratio %.2f < %.2f", bead.aspect_ratio, options.min_aspect_ratio));
+  const double rise = sum.rise_integral / sum.width_integral;
+  if (rise < options.min_rise)
+    return fail("bead.flat", format("its crest rises by %.3f of its width over the sheet, under %.3f", rise,
+                                    options.min_rise));
+  const Skeleton skeleton = skeleton_of(medial);
+  bead.kind = kind_of(medial, study.region.loops.size());
+  bead.shape = shape_letter(skeleton);
+  bead.ridge = curves_of(study, ridge_of(skeleton, study.region));
+  const RidgeCurve& longest = *std::max_element(bead.ridge.begin(), bead.ridge.end(), [](auto& a, auto& b) {
+    return a.points.size() < b.points.size();
+  });
+  bead.point = longest.points[longest.points.size() / 2];
+  bead.faces = study.faces;
+  return bead;
+}
+
+}  // namespace beadmesh

@@ -1,0 +1,211 @@
+#include "beadmesh/bead/ridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace beadmesh {
+namespace {
+
+using Polyline = std::vector<Vec2>;
+
+/// Where an arm stands after walking `reach` from one of its ends, and its tangent there, pointing away from that end.
+struct Reached {
+  Vec2 point;
+  Vec2 tangent;
+  size_t kept = 0;  ///< points nearer to the end than the reached one
+};
+
+Polyline oriented(const Polyline& points, bool at_end) {
+  return at_end ? Polyline(points.rbegin(), points.rend()) : points;
+}
+
+/// Least-squares direction of the polyline within `window` around the walked length `reach`: the smoothed tangent of
+/// section 4.3 without its dependence on single samples.
+Vec2 tangent_around(const Polyline& points, double reach, double window) {
+  Vec2 first = points.front(), last = points.front();
+  double walked = 0;
+  bool begun = false;
+  for (size_t i = 1; i < points.size(); ++i) {
+    const double step = distance(points[i - 1], points[i]);
+    const double low = reach - window, high = reach + window;
+    if (!begun && walked + step > low) {
+      const double t = step > 0 ? std::clamp((low - walked) / step, 0.0, 1.0) : 0.0;
+      first = lerp(points[i - 1], points[i], t);
+      begun = true;
+    }
+    if (begun) {
+      const double t = step > 0 ? std::clamp((high - walked) / step, 0.0, 1.0) : 1.0;
+      last = lerp(points[i - 1], points[i], t);
+    }
+    walked += step;
+    if (walked >= high) break;
+  }
+  return normalized(last - first);
+}
+
+Reached walk(const Polyline& points, double reach) {
+  double walked = 0;
+  Reached out{points.back(), {}, points.size()};
+  for (size_t i = 1; i < points.size(); ++i) {
+    const double step = distance(points[i - 1], points[i]);
+    if (walked + step >= reach) {
+      out.point = step > 0 ? lerp(points[i - 1], points[i], (reach - walked) / step) : points[i];
+      out.kept = i;
+      break;
+    }
+    walked += step;
+  }
+  out.tangent = tangent_around(points, reach + 0.25 * reach, 0.25 * reach);
+  return out;
+}
+
+std::optional<Vec2> intersection(Vec2 p, Vec2 u, Vec2 q, Vec2 v) {
+  const double det = cross(u, v);
+  if (std::abs(det) < 0.2 * norm(u) * norm(v)) return std::nullopt;  // near-parallel lines meet nowhere useful
+  return p + u * (cross(q - p, v) / det);
+}
+
+struct Tip {
+  Vec2 point;
+  BoundaryPosition boundary;
+};
+
+/// First hit of the ray with the region's boundary.
+std::optional<Tip> first_hit(const PlanarRegion& region, Vec2 from, Vec2 direction) {
+  std::optional<Tip> best;
+  double best_t = 0;
+  for (Index l = 0; l < Index(region.loops.size()); ++l) {
+    const auto& points = region.loops[l].points;
+    double position = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      const Vec2 a = points[i], b = points[(i + 1) % points.size()];
+      const double det = cross(direction, b - a);
+      if (det != 0) {
+        const double t = cross(a - from, b - a) / det, s = cross(a - from, direction) / det;
+        if (t > 0 && s >= 0 && s <= 1 && (!best || t < best_t)) {
+          best_t = t;
+          best = Tip{lerp(a, b, s), {l, position + s * distance(a, b)}};
+        }
+      }
+      position += distance(a, b);
+    }
+  }
+  return best;
+}
+
+class RidgeBuilder {
+ public:
+  RidgeBuilder(const Skeleton& skeleton, const PlanarRegion& region, const RidgeOptions& options)
+      : skeleton_(skeleton), region_(region), options_(options) {}
+
+  RidgeGraph run() {
+    for (const SkeletonNode& node : skeleton_.nodes)
+      graph_.nodes.push_back({node.point, node.point, node.radius, false, false, {}, node.arms});
+    for (const SkeletonArm& arm : skeleton_.arms) graph_.arms.push_back(curve_of(arm));
+    for (Index n = 0; n < Index(graph_.nodes.size()); ++n) {
+      if (graph_.nodes[n].arms.size() == 1) extend_to_tip(n);
+      if (graph_.nodes[n].arms.size() == 3) square(n);
+    }
+    return std::move(graph_);
+  }
+
+ private:
+  RidgeArm curve_of(const SkeletonArm& arm) const {
+    RidgeArm curve{arm.start, arm.end, {}};
+    for (const MedialPoint& p : arm.points) curve.points.push_back(p.point);
+    // Merged junctions moved: the arm follows its nodes.
+    if (arm.start != no_index) curve.points.front() = skeleton_.nodes[arm.start].point;
+    if (arm.end != no_index) curve.points.back() = skeleton_.nodes[arm.end].point;
+    return curve;
+  }
+
+  void extend_to_tip(Index n) {
+    RidgeNode& node = graph_.nodes[n];
+    RidgeArm& arm = graph_.arms[node.arms[0]];
+    const bool at_end = arm.end == n;
+    const Polyline inward = oriented(arm.points, at_end);
+    if (inward.size() < 2) return;
+    const Vec2 outward = -tangent_around(inward, 0.5 * node.radius, 0.5 * node.radius);
+    const auto tip = first_hit(region_, node.point, outward);
+    if (!tip) return;
+    node.tip = true;
+    node.point = tip->point;
+    node.boundary = tip->boundary;
+    if (at_end)
+      arm.points.push_back(tip->point);
+    else
+      arm.points.insert(arm.points.begin(), tip->point);
+  }
+
+  /// The arms' ends at node n: which arm, and whether it ends there. A loop arm appears with both its ends.
+  std::vector<std::pair<Index, bool>> ends_at(Index n) const {
+    std::vector<std::pair<Index, bool>> ends;
+    for (Index a : graph_.nodes[n].arms) {
+      const RidgeArm& arm = graph_.arms[a];
+      const bool seen = std::any_of(ends.begin(), ends.end(), [&](const auto& e) { return e.first == a; });
+      ends.emplace_back(a, arm.start == arm.end ? seen : arm.end == n);
+    }
+    return ends;
+  }
+
+  void square(Index n) {
+    const auto ends = ends_at(n);
+    RidgeNode& node = graph_.nodes[n];
+    Reached reached[3];
+    for (int k = 0; k < 3; ++k) {
+      const Polyline points = oriented(graph_.arms[ends[k].first].points, ends[k].second);
+      if (points.size() < 2) return;
+      reached[k] = walk(points, node.radius);
+    }
+    const auto target = squared_position(reached);
+    if (!target || distance(*target, node.point) > node.radius) return;
+    node.point = *target;
+    node.squared = true;
+    for (int k = 0; k < 3; ++k) replace_end(ends[k].first, ends[k].second, reached[k], *target);
+  }
+
+  /// Conditions 1 and 2 of section 4.3; of several pairs the one with the largest angle.
+  std::optional<Vec2> squared_position(const Reached (&r)[3]) const {
+    std::optional<Vec2> best;
+    double best_angle = options_.straight_angle;
+    for (int k = 0; k < 3; ++k) {
+      const Reached &i = r[(k + 1) % 3], &j = r[(k + 2) % 3];
+      const double angle = angle_between(i.tangent, j.tangent);
+      if (angle <= best_angle) continue;
+      const Vec2 to_i = i.point - r[k].point, to_j = j.point - r[k].point;
+      if (angle_between(to_i, -r[k].tangent) >= angle_between(to_i, to_j)) continue;
+      const auto at = intersection(r[k].point, r[k].tangent, i.point, j.point - i.point);
+      if (!at) continue;
+      best = at;
+      best_angle = angle;
+    }
+    return best;
+  }
+
+  void replace_end(Index a, bool at_end, const Reached& reached, Vec2 target) {
+    Polyline points = oriented(graph_.arms[a].points, at_end);
+    Polyline cut{target};
+    if (reached.kept < points.size()) {
+      cut.push_back(reached.point);
+      cut.insert(cut.end(), points.begin() + reached.kept, points.end());
+    } else {
+      cut.push_back(points.back());
+    }
+    cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
+    graph_.arms[a].points = oriented(cut, at_end);
+  }
+
+  const Skeleton& skeleton_;
+  const PlanarRegion& region_;
+  RidgeOptions options_;
+  RidgeGraph graph_;
+};
+
+}  // namespace
+
+RidgeGraph ridge_of(const Skeleton& skeleton, const PlanarRegion& region, const RidgeOptions& options) {
+  return RidgeBuilder(skeleton, region, options).run();
+}
+
+}  // namespace beadmesh

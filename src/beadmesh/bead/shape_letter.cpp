@@ -1,0 +1,241 @@
+#include "beadmesh/bead/shape_letter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadmesh {
+namespace {
+
+// ---------------------------------------------------------------- one arm: bends
+
+/// A stretch of an arm that turns one way.
+struct Bend {
+  double turn = 0;    ///< radians, positive to the left
+  double length = 0;  ///< along the arm
+  double middle = 0;  ///< arc length of its middle
+};
+
+struct ArmShape {
+  double length = 0;
+  double thickness = 0;
+  double left = 0, right = 0;  ///< total turn each way, radians
+  std::vector<Bend> bends;     ///< stretches that bend, those under 15 degrees left out
+};
+
+std::vector<Vec2> resampled(const SkeletonArm& arm, double step) {
+  std::vector<Vec2> out{arm.points.front().point};
+  double carried = 0;
+  for (size_t i = 1; i < arm.points.size(); ++i) {
+    const Vec2 a = arm.points[i - 1].point, b = arm.points[i].point;
+    const double length = distance(a, b);
+    double at = step - carried;
+    for (; at <= length; at += step) out.push_back(lerp(a, b, at / length));
+    carried = length - (at - step);
+  }
+  return out;
+}
+
+double mean_thickness(const SkeletonArm& arm) {
+  double sum = 0, length = 0;
+  for (size_t i = 1; i < arm.points.size(); ++i) {
+    const double step = distance(arm.points[i - 1].point, arm.points[i].point);
+    sum += step * (arm.points[i - 1].radius + arm.points[i].radius);
+    length += step;
+  }
+  return length > 0 ? sum / length : 0;
+}
+
+/// Turning over windows of half the thickness: shorter wiggles are noise, not shape.
+ArmShape shape_of(const SkeletonArm& arm) {
+  ArmShape out;
+  out.length = length_of(arm);
+  out.thickness = mean_thickness(arm);
+  const double step = std::max(out.thickness / 2, out.length / 200);
+  const auto points = resampled(arm, step);
+  constexpr double straight = radians(3);  // per window: a radius of ten thicknesses is a curve, less is straight
+  Bend current;
+  const auto close = [&] {
+    if (std::abs(current.turn) > radians(15)) out.bends.push_back(current);
+    current = {};
+  };
+  for (size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec2 u = points[i] - points[i - 1], v = points[i + 1] - points[i];
+    const double turn = std::atan2(cross(u, v), dot(u, v));
+    (turn > 0 ? out.left : out.right) += std::abs(turn);
+    const bool bends = std::abs(turn) > straight;
+    if (!bends || (current.turn != 0 && (turn > 0) != (current.turn > 0))) close();
+    if (!bends) continue;
+    const double at = double(i) * step;
+    current.middle = current.length == 0 ? at : current.middle + step / 2;
+    current.length += step;
+    current.turn += turn;
+  }
+  close();
+  return out;
+}
+
+/// A bend that a person calls a corner: 40 degrees and more within a short stretch of the arm.
+bool is_sharp(const Bend& bend, const ArmShape& arm) {
+  return std::abs(bend.turn) > radians(40) && bend.length < std::max(3.5 * arm.thickness, 0.35 * arm.length);
+}
+
+std::string letter_of_one_way(const ArmShape& arm, double total) {
+  double bent = 0, middle = 0, sharp = 0;
+  for (const Bend& b : arm.bends) {
+    bent += b.length;
+    middle += b.length * b.middle;
+    sharp += is_sharp(b, arm) ? 1 : 0;
+  }
+  const double straight_share = 1 - bent / arm.length;
+  const double off_middle = std::abs(middle / std::max(bent, 1e-300) / arm.length - 0.5);
+  if (total > radians(235) && (arm.bends.size() > 1 || straight_share < 0.35)) return total > radians(300) || arm.bends.size() > 2 ? "G" : "C";
+  if (straight_share < 0.3 && sharp == 0) return total < radians(150) ? "arc" : "C";
+  if (arm.bends.size() >= 3) return "G";
+  if (arm.bends.size() == 2) return total > radians(235) ? "G" : "U";
+  if (total > radians(150)) return off_middle < 0.08 ? "U" : "J";
+  if (total > radians(40) && straight_share > 0.3) return off_middle < 0.28 ? "L" : "J";
+  return total < radians(150) ? "arc" : "C";
+}
+
+std::string letter_of_arm(const SkeletonArm& arm) {
+  const ArmShape shape = shape_of(arm);
+  const double small = std::min(shape.left, shape.right), total = std::max(shape.left, shape.right);
+  if (shape.bends.empty() || total < radians(18)) return "I";
+  bool both_ways = false;
+  int sharp = 0;
+  for (const Bend& b : shape.bends) {
+    both_ways |= (b.turn > 0) != (shape.bends[0].turn > 0);
+    sharp += is_sharp(b, shape);
+  }
+  if (both_ways && small > radians(12)) return sharp == 2 && shape.bends.size() == 2 && total > radians(55) ? "Z" : "S";
+  return letter_of_one_way(shape, total);
+}
+
+// ---------------------------------------------------------------- several arms
+
+struct Counts {
+  int ends = 0;
+  std::vector<Index> junctions;
+  int cycles = 0;
+};
+
+Counts count(const Skeleton& skeleton) {
+  Counts out;
+  for (Index n = 0; n < Index(skeleton.nodes.size()); ++n) {
+    const size_t degree = skeleton.nodes[n].arms.size();
+    if (degree == 1) ++out.ends;
+    if (degree >= 3) out.junctions.push_back(n);
+  }
+  out.cycles = int(skeleton.arms.size()) - int(skeleton.nodes.size()) + 1;
+  return out;
+}
+
+std::vector<Vec2> directions_from(const Skeleton& skeleton, Index node) {
+  std::vector<Vec2> out;
+  for (Index a : skeleton.nodes[node].arms) {
+    const SkeletonArm& arm = skeleton.arms[a];
+    const double reach = std::min(2.5 * skeleton.nodes[node].radius, 0.5 * length_of(arm));
+    out.push_back(direction_at(arm, arm.end == node, std::max(reach, 1.5 * skeleton.nodes[node].radius)));
+  }
+  return out;
+}
+
+/// Index of the arm that stands off the through pair (within 25 degrees of a line), or no_index for a Y.
+Index stem_of(const Skeleton& skeleton, Index node) {
+  const auto d = directions_from(skeleton, node);
+  Index stem = no_index;
+  double best = radians(155);
+  for (int k = 0; k < 3; ++k) {
+    const double angle = angle_between(d[(k + 1) % 3], d[(k + 2) % 3]);
+    if (angle > best) {
+      best = angle;
+      stem = skeleton.nodes[node].arms[k];
+    }
+  }
+  return stem;
+}
+
+bool is_end_arm(const Skeleton& skeleton, Index arm) {
+  return skeleton.nodes[skeleton.arms[arm].start].arms.size() == 1 ||
+         skeleton.nodes[skeleton.arms[arm].end].arms.size() == 1;
+}
+
+std::string letter_of_two_junctions(const Skeleton& skeleton, const Counts& counts) {
+  const Index a = counts.junctions[0], b = counts.junctions[1];
+  const Index stem_a = stem_of(skeleton, a), stem_b = stem_of(skeleton, b);
+  const auto joins = [&](Index arm) {
+    return arm != no_index && !is_end_arm(skeleton, arm);
+  };
+  if (joins(stem_a) && joins(stem_b)) return "H";
+  const bool teeth = stem_a != no_index && stem_b != no_index && !joins(stem_a) && !joins(stem_b);
+  return teeth ? "F" : "tree";
+}
+
+/// A tooth's direction against its spine: which side of the way from the junction to the next one it stands on.
+bool teeth_on_one_side(const Skeleton& skeleton, const Counts& counts) {
+  Vec2 mean{0, 0};
+  std::vector<Vec2> stems;
+  for (Index n : counts.junctions) {
+    if (skeleton.nodes[n].arms.size() != 3) return false;
+    for (Index a : skeleton.nodes[n].arms) {
+      if (!is_end_arm(skeleton, a)) continue;
+      const SkeletonArm& arm = skeleton.arms[a];
+      const Vec2 direction = direction_at(arm, arm.end == n, 2 * skeleton.nodes[n].radius);
+      const bool through = stem_of(skeleton, n) != a && stem_of(skeleton, n) != no_index;
+      if (!through) stems.push_back(direction);
+    }
+  }
+  for (Vec2 s : stems) mean += s;
+  for (Vec2 s : stems)
+    if (dot(s, mean) <= 0) return false;
+  return stems.size() + 1 >= counts.junctions.size();
+}
+
+/// Three prongs of about one direction on a bar with a handle against them.
+bool is_trident(const Skeleton& skeleton, const Counts& counts) {
+  if (counts.ends != 4 || counts.junctions.size() > 2) return false;
+  std::vector<Vec2> tips;  // direction in which every end arm runs out
+  for (Index n = 0; n < Index(skeleton.nodes.size()); ++n) {
+    if (skeleton.nodes[n].arms.size() != 1) continue;
+    const SkeletonArm& arm = skeleton.arms[skeleton.nodes[n].arms[0]];
+    tips.push_back(-direction_at(arm, arm.end == n, 2.5 * skeleton.nodes[n].radius));
+  }
+  for (size_t handle = 0; handle < tips.size(); ++handle) {
+    bool all = true;
+    for (size_t k = 0; k < tips.size(); ++k)
+      if (k != handle) all = all && angle_between(tips[k], -tips[handle]) < radians(25);
+    if (all) return true;
+  }
+  return false;
+}
+
+std::string letter_of_tree(const Skeleton& skeleton, const Counts& counts) {
+  if (is_trident(skeleton, counts)) return "trident";
+  if (counts.junctions.size() == 1) {
+    const size_t degree = skeleton.nodes[counts.junctions[0]].arms.size();
+    if (degree == 4) return "X";
+    if (degree != 3) return "tree";
+    return stem_of(skeleton, counts.junctions[0]) == no_index ? "Y" : "T";
+  }
+  if (counts.junctions.size() == 2 && counts.ends == 4) {
+    const std::string letter = letter_of_two_junctions(skeleton, counts);
+    if (letter != "tree") return letter;
+  }
+  if (teeth_on_one_side(skeleton, counts)) return counts.junctions.size() >= 3 ? "comb" : "F";
+  return "tree";
+}
+
+}  // namespace
+
+std::string shape_letter(const Skeleton& skeleton) {
+  if (skeleton.arms.empty()) return "I";
+  const Counts counts = count(skeleton);
+  const bool all_closed = std::all_of(skeleton.arms.begin(), skeleton.arms.end(),
+                                      [](const SkeletonArm& arm) { return arm.start == no_index; });
+  if (all_closed) return "ring";
+  if (counts.cycles > 0) return "ladder";
+  if (counts.junctions.empty()) return letter_of_arm(skeleton.arms[0]);
+  return letter_of_tree(skeleton, counts);
+}
+
+}  // namespace beadmesh

@@ -1,0 +1,374 @@
+#include "beadmesh/blocking/bead_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadmesh/blocking/axis_station.h"
+#include "beadmesh/blocking/chord.h"
+
+namespace beadmesh {
+namespace {
+
+constexpr double flat_sector = radians(150);  ///< arms further apart leave a straight far side between them
+
+/// One end of an arm at a junction, seen outward from the junction.
+struct ArmEnd {
+  Index arm = no_index;
+  bool at_end = false;  ///< the arm ends here: outward is against its own direction
+  Vec2 direction;       ///< outward
+};
+
+/// The boundary between two neighbouring arm ends, counter-clockwise.
+struct Sector {
+  bool flat = false;
+  BoundaryPosition foot;
+  Index vertex = no_index;  ///< shared by both cuts where the sector is not flat
+};
+
+/// A ridge arm with its medial axis, measured along the ridge.
+class ArmLine {
+ public:
+  ArmLine(const SkeletonArm& medial, const RidgeArm& ridge, const std::vector<double>& loop_lengths)
+      : medial_(&medial), points_(ridge.points), loop_lengths_(&loop_lengths) {
+    at_.push_back(0);
+    for (size_t i = 1; i < points_.size(); ++i) at_.push_back(at_.back() + distance(points_[i - 1], points_[i]));
+    medial_at_ = distances_along(medial);
+  }
+
+  double length() const { return at_.back(); }
+
+  Vec2 point(double along) const {
+    along = std::clamp(along, 0.0, length());
+    const size_t next = std::upper_bound(at_.begin(), at_.end(), along) - at_.begin();
+    const size_t i = std::clamp<size_t>(next, 1, points_.size() - 1) - 1;
+    const double step = at_[i + 1] - at_[i];
+    return lerp(points_[i], points_[i + 1], step > 0 ? (along - at_[i]) / step : 0);
+  }
+
+  std::vector<Vec2> between(double from, double to) const {
+    std::vector<Vec2> out;
+    const double margin = 1e-6 * length();
+    for (size_t i = 0; i < points_.size(); ++i)
+      if (at_[i] > from + margin && at_[i] < to - margin) out.push_back(points_[i]);
+    return out;
+  }
+
+  /// Distance along the ridge of its point nearest to p.
+  double nearest(Vec2 p) const { return nearest_on(points_, at_, p); }
+
+  /// The touching line of the medial point nearest to the ridge at `along`.
+  AxisStation station(double along) const {
+    std::vector<Vec2> axis;
+    for (const MedialPoint& m : medial_->points) axis.push_back(m.point);
+    return station_at(*medial_, nearest_on(axis, medial_at_, point(along)), *loop_lengths_);
+  }
+
+ private:
+  static double nearest_on(const std::vector<Vec2>& line, const std::vector<double>& at, Vec2 p) {
+    double best = 0, best_distance = distance(line.front(), p);
+    for (size_t i = 1; i < line.size(); ++i) {
+      const Vec2 a = line[i - 1], u = line[i] - a;
+      const double uu = dot(u, u);
+      const double t = uu > 0 ? std::clamp(dot(p - a, u) / uu, 0.0, 1.0) : 0;
+      const double d = distance(a + u * t, p);
+      if (d < best_distance) {
+        best_distance = d;
+        best = at[i - 1] + t * std::sqrt(uu);
+      }
+    }
+    return best;
+  }
+
+  const SkeletonArm* medial_;
+  std::vector<Vec2> points_;
+  const std::vector<double>* loop_lengths_;
+  std::vector<double> at_, medial_at_;
+};
+
+class BeadBlocks {
+ public:
+  BeadBlocks(const Skeleton& skeleton, const RidgeGraph& ridge, const PlanarRegion& region,
+             const BeadBlockOptions& options)
+      : skeleton_(skeleton), ridge_(ridge), options_(options), builder_(region), loop_lengths_(loop_lengths_of(region)) {
+    for (size_t a = 0; a < ridge.arms.size(); ++a)
+      arms_.emplace_back(skeleton.arms[a], ridge.arms[a], loop_lengths_);
+    node_vertex_.assign(ridge.nodes.size(), no_index);
+    start_chord_.resize(ridge.arms.size());
+    end_chord_.resize(ridge.arms.size());
+  }
+
+  Result<BlockLayout> run() {
+    for (Index n = 0; n < Index(ridge_.nodes.size()); ++n) {
+      const RidgeNode& node = ridge_.nodes[n];
+      if (node.arms.size() == 1 && !node.tip)
+        return fail("blocking.tip", "an arm ends without a tip on the boundary");
+      node_vertex_[n] = node.tip ? builder_.add_boundary_vertex(node.boundary) : builder_.add_vertex(node.point);
+    }
+    for (Index n = 0; n < Index(ridge_.nodes.size()); ++n)
+      if (ridge_.nodes[n].arms.size() > 1) place_hub(n);
+    for (Index a = 0; a < Index(arms_.size()); ++a)
+      if (const auto placed = place_arm(a); !placed) return tl::unexpected(placed.error());
+    for (Index n = 0; n < Index(ridge_.nodes.size()); ++n)
+      if (ridge_.nodes[n].arms.size() > 1) add_hub_blocks(n);
+    return builder_.take();
+  }
+
+ private:
+  struct Hub {
+    std::vector<ArmEnd> ends;
+    std::vector<Sector> sectors;  ///< sector i lies between ends i and i + 1
+  };
+
+  std::vector<ArmEnd> ends_of(Index n) const {
+    std::vector<ArmEnd> ends;
+    const double reach = 1.5 * ridge_.nodes[n].radius;
+    for (Index a : ridge_.nodes[n].arms) {
+      const bool seen = std::any_of(ends.begin(), ends.end(), [&](const ArmEnd& e) { return e.arm == a; });
+      const bool loop_arm = ridge_.arms[a].start == ridge_.arms[a].end;
+      const bool at_end = loop_arm ? seen : ridge_.arms[a].end == n;
+      const double along = at_end ? arms_[a].length() - reach : reach;
+      ends.push_back({a, at_end, normalized(arms_[a].point(along) - ridge_.nodes[n].point)});
+    }
+    std::sort(ends.begin(), ends.end(), [](const ArmEnd& p, const ArmEnd& q) {
+      return std::atan2(p.direction.y, p.direction.x) < std::atan2(q.direction.y, q.direction.x);
+    });
+    return ends;
+  }
+
+  /// The foot of the arm's first medial point on its left or right, as seen outward.
+  BoundaryPosition first_foot(const ArmEnd& end, bool left) const {
+    const auto& points = skeleton_.arms[end.arm].points;
+    const MedialPoint& p = end.at_end ? points.back() : points.front();
+    const Foot& foot = p.feet[left == end.at_end ? 1 : 0];
+    return {foot.loop, foot.position};
+  }
+
+  Sector sector_between(const ArmEnd& a, const ArmEnd& b) const {
+    Sector sector;
+    double angle = std::atan2(cross(a.direction, b.direction), dot(a.direction, b.direction));
+    if (angle <= 0) angle += 2 * pi;
+    sector.flat = angle >= flat_sector;
+    const BoundaryPosition p = first_foot(a, true), q = first_foot(b, false);
+    sector.foot = p;
+    if (p.loop == q.loop) {
+      const double length = loop_lengths_[p.loop];
+      sector.foot.position = std::fmod(p.position + loop_difference(p.position, q.position, length) / 2 + length, length);
+    }
+    return sector;
+  }
+
+  void place_hub(Index n) {
+    Hub hub;
+    hub.ends = ends_of(n);
+    const size_t k = hub.ends.size();
+    for (size_t i = 0; i < k; ++i) {
+      hub.sectors.push_back(sector_between(hub.ends[i], hub.ends[(i + 1) % k]));
+      if (!hub.sectors[i].flat) hub.sectors[i].vertex = builder_.add_boundary_vertex(hub.sectors[i].foot);
+    }
+    for (size_t i = 0; i < k; ++i) place_hub_chord(n, hub.ends[i], hub.sectors[(i + k - 1) % k], hub.sectors[i]);
+    hubs_.emplace_back(n, std::move(hub));
+  }
+
+  /// The cut at which an arm leaves its hub: through the feet of the sectors beside it.
+  void place_hub_chord(Index n, const ArmEnd& end, const Sector& right, const Sector& left) {
+    const ArmLine& line = arms_[end.arm];
+    double along;
+    if (!left.flat && !right.flat)
+      along = line.nearest(lerp(builder_.point_of(left.vertex), builder_.point_of(right.vertex), 0.5));
+    else if (!left.flat)
+      along = line.nearest(builder_.point_of(left.vertex));
+    else if (!right.flat)
+      along = line.nearest(builder_.point_of(right.vertex));
+    else
+      along = end.at_end ? line.length() - ridge_.nodes[n].radius : ridge_.nodes[n].radius;
+    const double least = 0.5 * ridge_.nodes[n].radius;
+    along = end.at_end ? std::min(along, line.length() - least) : std::max(along, least);
+    const AxisStation station = line.station(along);
+    Chord outward;
+    outward.along = along;
+    outward.middle = builder_.add_vertex(line.point(along));
+    outward.left = left.flat ? builder_.add_boundary_vertex(end.at_end ? station.right : station.left) : left.vertex;
+    outward.right = right.flat ? builder_.add_boundary_vertex(end.at_end ? station.left : station.right) : right.vertex;
+    (end.at_end ? end_chord_ : start_chord_)[end.arm] = end.at_end ? outward.turned() : outward;
+  }
+
+  bool has_tip(Index a, bool at_end) const {
+    const Index n = at_end ? ridge_.arms[a].end : ridge_.arms[a].start;
+    return ridge_.nodes[n].tip;
+  }
+
+  /// Where the clamp begins (section 4.2): thickness over 2 MEL and r + d over 4 MEL, d from the S vertex.
+  double cap_position(Index a, bool at_end) const {
+    const ArmLine& line = arms_[a];
+    const RidgeNode& node = ridge_.nodes[at_end ? ridge_.arms[a].end : ridge_.arms[a].start];
+    const double mel = options_.min_edge;
+    const double step = mel / 10;
+    const double beyond = distance(node.point, node.medial_point);  // the ridge runs on to the tip
+    double d = std::max(0.0, 4 * mel - node.radius);
+    for (; d + beyond < line.length(); d += step)
+      if (2 * line.station(at_end ? line.length() - beyond - d : beyond + d).radius > 2 * mel) break;
+    return at_end ? line.length() - beyond - d : beyond + d;
+  }
+
+  Chord chord_on_arm(Index a, double along) {
+    const AxisStation station = arms_[a].station(along);
+    Chord chord;
+    chord.along = along;
+    chord.middle = builder_.add_vertex(arms_[a].point(along));
+    chord.left = builder_.add_boundary_vertex(station.left);
+    chord.right = builder_.add_boundary_vertex(station.right);
+    return chord;
+  }
+
+  Result<void> place_arm(Index a) {
+    const bool start_tip = has_tip(a, false), end_tip = has_tip(a, true);
+    const double first = start_tip ? cap_position(a, false) : start_chord_[a].along;
+    const double last = end_tip ? cap_position(a, true) : end_chord_[a].along;
+    if (last - first < 0.8 * options_.min_edge * (start_tip || end_tip ? 2 : 1))
+      return place_short_arm(a, start_tip, end_tip, (first + last) / 2);
+    if (start_tip) start_chord_[a] = chord_on_arm(a, first);
+    if (end_tip) end_chord_[a] = chord_on_arm(a, last);
+    add_chord_edges(builder_, start_chord_[a], options_.elements_across, start_tip);
+    add_chord_edges(builder_, end_chord_[a], options_.elements_across, end_tip);
+    add_strip(a, start_chord_[a], end_chord_[a]);
+    add_caps(a, start_tip, end_tip);
+    return {};
+  }
+
+  /// No room for a strip: the two ends share one cut.
+  Result<void> place_short_arm(Index a, bool start_tip, bool end_tip, double middle) {
+    if (!start_tip && !end_tip) return fail("blocking.short_arm", "two junctions are too near for a block between them");
+    Chord shared = start_tip && end_tip ? chord_on_arm(a, middle) : (start_tip ? end_chord_[a] : start_chord_[a]);
+    add_chord_edges(builder_, shared, options_.elements_across, true);
+    start_chord_[a] = end_chord_[a] = shared;
+    add_caps(a, start_tip, end_tip);
+    return {};
+  }
+
+  void add_caps(Index a, bool start_tip, bool end_tip) {
+    const ArmLine& line = arms_[a];
+    if (end_tip)
+      add_end_cap(builder_, end_chord_[a], node_vertex_[ridge_.arms[a].end],
+                  line.between(end_chord_[a].along, line.length()), options_.elements_across, options_.size);
+    if (!start_tip) return;
+    std::vector<Vec2> crest = line.between(0, start_chord_[a].along);
+    std::reverse(crest.begin(), crest.end());
+    add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest, options_.elements_across,
+                options_.size);
+  }
+
+  /// True where the touching line keeps the order of its neighbours on both boundaries.
+  bool advances(const Chord& from, const AxisStation& to) const {
+    const auto& vertices = builder_.layout().vertices;
+    const BoundaryPosition left = vertices[from.left].boundary, right = vertices[from.right].boundary;
+    if (left.loop != to.left.loop || right.loop != to.right.loop) return false;
+    const double least = 0.5 * options_.min_edge;
+    return loop_difference(left.position, to.left.position, loop_lengths_[left.loop]) < -least &&
+           loop_difference(right.position, to.right.position, loop_lengths_[right.loop]) > least;
+  }
+
+  AxisStation as_station(const Chord& chord) const {
+    const auto& vertices = builder_.layout().vertices;
+    AxisStation out;
+    out.left = vertices[chord.left].boundary;
+    out.right = vertices[chord.right].boundary;
+    return out;
+  }
+
+  /// Touching lines about every four elements keep the two sides of a winding arm in step.
+  void add_strip(Index a, const Chord& first, const Chord& last) {
+    const double length = last.along - first.along;
+    const int pieces = std::max(1, int(std::lround(length / (4 * options_.size))));
+    Chord before = first;
+    for (int i = 1; i < pieces; ++i) {
+      const double along = first.along + length * i / pieces;
+      const AxisStation station = arms_[a].station(along);
+      if (!advances(before, station)) continue;
+      Chord trial;
+      trial.left = builder_.add_boundary_vertex(station.left);
+      trial.right = builder_.add_boundary_vertex(station.right);
+      if (!advances(trial, as_station(last))) continue;
+      trial.along = along;
+      trial.middle = builder_.add_vertex(arms_[a].point(along));
+      add_chord_edges(builder_, trial, options_.elements_across, false);
+      add_strip_blocks(a, before, trial);
+      before = trial;
+    }
+    add_strip_blocks(a, before, last);
+  }
+
+  static std::vector<Index> back(std::vector<Index> path) {
+    std::reverse(path.begin(), path.end());
+    return path;
+  }
+
+  void add_strip_blocks(Index a, const Chord& from, const Chord& to) {
+    builder_.add_edge(from.middle, to.middle, VirtualEdgeKind::ridge, arms_[a].between(from.along, to.along));
+    builder_.add_boundary_edge(from.left, to.left, true);
+    builder_.add_boundary_edge(from.right, to.right, false);
+    builder_.add_block({{from.left_path, {from.middle, to.middle}, back(to.left_path), {to.left, from.left}}});
+    builder_.add_block({{from.right_path, {from.right, to.right}, back(to.right_path), {to.middle, from.middle}}});
+  }
+
+  Chord outward_chord(const ArmEnd& end) const {
+    return end.at_end ? end_chord_[end.arm].turned() : start_chord_[end.arm];
+  }
+
+  void add_ridge_stub(Index n, const ArmEnd& end, const Chord& chord) {
+    const ArmLine& line = arms_[end.arm];
+    std::vector<Vec2> points =
+        end.at_end ? line.between(chord.along, line.length()) : line.between(0, chord.along);
+    if (!end.at_end) std::reverse(points.begin(), points.end());
+    builder_.add_edge(chord.middle, node_vertex_[n], VirtualEdgeKind::ridge, points, options_.elements_across / 2);
+  }
+
+  void add_hub_blocks(Index n) {
+    const auto found = std::find_if(hubs_.begin(), hubs_.end(), [&](const auto& h) { return h.first == n; });
+    const Hub& hub = found->second;
+    const size_t k = hub.ends.size();
+    for (const ArmEnd& end : hub.ends) add_ridge_stub(n, end, outward_chord(end));
+    for (size_t i = 0; i < k; ++i)
+      add_sector_blocks(n, hub.sectors[i], outward_chord(hub.ends[i]), outward_chord(hub.ends[(i + 1) % k]));
+  }
+
+  void add_sector_blocks(Index n, const Sector& sector, const Chord& before, const Chord& after) {
+    const Index centre = node_vertex_[n];
+    if (!sector.flat) {
+      builder_.add_block({{{centre, before.middle}, back(before.left_path), back(after.right_path), {after.middle, centre}}});
+      return;
+    }
+    const int half = options_.elements_across / 2;
+    const BoundaryPosition a = builder_.layout().vertices[before.left].boundary;
+    const BoundaryPosition b = builder_.layout().vertices[after.right].boundary;
+    double forward = std::fmod(b.position - a.position, loop_lengths_[a.loop]);
+    if (forward < 0) forward += loop_lengths_[a.loop];
+    const Index far = builder_.add_boundary_vertex({a.loop, std::fmod(a.position + forward / 2, loop_lengths_[a.loop])});
+    builder_.add_edge(centre, far, VirtualEdgeKind::inner, {}, half);
+    builder_.add_boundary_edge(before.left, far, false, half);
+    builder_.add_boundary_edge(far, after.right, false, half);
+    builder_.add_block({{{centre, before.middle}, back(before.left_path), {before.left, far}, {far, centre}}});
+    builder_.add_block({{{centre, far}, {far, after.right}, back(after.right_path), {after.middle, centre}}});
+  }
+
+  const Skeleton& skeleton_;
+  const RidgeGraph& ridge_;
+  BeadBlockOptions options_;
+  BlockLayoutBuilder builder_;
+  std::vector<double> loop_lengths_;
+  std::vector<ArmLine> arms_;
+  std::vector<Index> node_vertex_;
+  std::vector<Chord> start_chord_, end_chord_;
+  std::vector<std::pair<Index, Hub>> hubs_;
+};
+
+}  // namespace
+
+Result<BlockLayout> blocks_of_bead(const Skeleton& skeleton, const RidgeGraph& ridge, const PlanarRegion& region,
+                                   const BeadBlockOptions& options) {
+  for (const RidgeArm& arm : ridge.arms)
+    if (arm.start == no_index || arm.points.size() < 2)
+      return fail("blocking.arm", "an arm is closed or has no length");
+  return BeadBlocks(skeleton, ridge, region, options).run();
+}
+
+}  // namespace beadmesh

@@ -1,0 +1,23 @@
+// Blocks of I and generic beads: arms are strips, ends are clamps, junctions are hubs.
+#pragma once
+
+#include "beadmesh/bead/ridge.h"
+#include "beadmesh/bead/skeleton.h"
+#include "beadmesh/blocking/block_layout.h"
+#include "beadmesh/core/result.h"
+
+namespace beadmesh {
+
+struct BeadBlockOptions {
+  double size = 5;          ///< default 5 mm: target element length
+  double min_edge = 2.5;    ///< default 2.5 mm: minimum element length
+  int elements_across = 4;  ///< default 4: even
+};
+
+/// I-beads by the split lines of section 4.2 and the clamp of figure 15a; every arm of a generic bead likewise, its
+/// junctions as hubs: a sector between two arms that stand against each other becomes one block, the far side of a
+/// through bar two. Fails with blocking.* where arms are too short for their hubs.
+Result<BlockLayout> blocks_of_bead(const Skeleton& skeleton, const RidgeGraph& ridge, const PlanarRegion& region,
+                                   const BeadBlockOptions& options);
+
+}  // namespace beadmesh

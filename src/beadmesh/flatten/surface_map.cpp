@@ -1,0 +1,281 @@
+// SurfaceMap: point location in the flat image and the way back to the surface.
+#include <algorithm>
+#include <limits>
+
+#include "beadmesh/flatten/facet_search.h"
+#include "beadmesh/flatten/flat_face.h"
+#include "beadmesh/flatten/triangle_geometry.h"
+#include "beadmesh/flatten/triangle_topology.h"
+
+namespace beadmesh {
+namespace {
+
+constexpr int max_walk = 64;          // a longer walk costs more than the grid
+constexpr double edge_slack = 1e-12;  // barycentric; a point on an edge belongs to either side
+constexpr double degenerate = 1e-12;  // doubled area over squared longest edge
+
+/// Area-weighted normals of the vertices.
+std::vector<Vec3> vertex_normals(const Facets& facets) {
+  std::vector<Vec3> normals(facets.points.size());
+  for (const Triangle& t : facets.triangles) {
+    const Vec3 a = facets.points[t[0]];
+    const Vec3 vector = cross(facets.points[t[1]] - a, facets.points[t[2]] - a);
+    for (const Index v : t) normals[v] += vector;
+  }
+  for (Vec3& n : normals) n = normalized(n);
+  return normals;
+}
+
+double squared(double x) {
+  return x * x;
+}
+
+template <class V>
+V blend(V a, V b, V c, const FacetPoint& at) {
+  return a * at.weight[0] + b * at.weight[1] + c * at.weight[2];
+}
+
+FacetPoint facet_point_of(Index triangle, const std::array<double, 3>& weight) {
+  FacetPoint at;
+  at.triangle = triangle;
+  std::copy(weight.begin(), weight.end(), at.weight);
+  return at;
+}
+
+}  // namespace
+
+/// Uniform cells over the flat image; each lists the triangles whose bounding boxes touch it, ascending.
+struct SurfaceMap::Grid {
+  const Facets& facets;
+  const std::vector<Vec2>& flat;
+  TriangleNeighbours neighbours;
+  std::vector<Vec3> normals;
+  Vec2 low;
+  double cell = 1;
+  Index columns = 1, rows = 1;
+  std::vector<Index> begin, items;  ///< cell i lists items[begin[i] .. begin[i + 1])
+
+  Grid(const Facets& of, const std::vector<Vec2>& positions)
+      : facets(of),
+        flat(positions),
+        neighbours(triangle_neighbours(of.triangles)),
+        normals(vertex_normals(of)) {
+    lay_out();
+    fill();
+  }
+
+  void lay_out() {
+    if (flat.empty()) return;
+    Vec2 high = low = flat[0];
+    for (const Vec2 p : flat) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const double width = high.x - low.x, height = high.y - low.y;
+    const double count = 1 + static_cast<double>(facets.triangles.size());
+    cell = std::max(std::sqrt(width * height / count), std::max(width, height) / count);
+    if (!(cell > 0)) cell = 1;
+    columns = 1 + static_cast<Index>(width / cell);
+    rows = 1 + static_cast<Index>(height / cell);
+  }
+
+  Index column_of(double x) const {
+    return static_cast<Index>(std::clamp((x - low.x) / cell, 0.0, static_cast<double>(columns - 1)));
+  }
+  Index row_of(double y) const {
+    return static_cast<Index>(std::clamp((y - low.y) / cell, 0.0, static_cast<double>(rows - 1)));
+  }
+
+  /// Row by row, so that a long thin triangle is listed only where it runs.
+  template <class Visit>
+  void for_each_cell(const Triangle& t, Visit visit) const {
+    const Vec2 a = flat[t[0]], b = flat[t[1]], c = flat[t[2]];
+    const Index bottom = row_of(std::min({a.y, b.y, c.y})), top = row_of(std::max({a.y, b.y, c.y}));
+    for (Index r = bottom; r <= top; ++r) {
+      double left = std::numeric_limits<double>::infinity(), right = -left;
+      for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
+        widen(p, q, low.y + r * cell, low.y + (r + 1) * cell, left, right);
+      const Index last = column_of(right);
+      for (Index k = column_of(left); k <= last; ++k) visit(r * columns + k);
+    }
+  }
+
+  /// Widens [left, right] by the part of segment pq between heights `bottom` and `top`.
+  static void widen(Vec2 p, Vec2 q, double bottom, double top, double& left, double& right) {
+    if (p.y > q.y) std::swap(p, q);
+    if (q.y < bottom || p.y > top) return;
+    const double rise = q.y - p.y;
+    const double from = p.y < bottom ? (bottom - p.y) / rise : 0, to = q.y > top ? (top - p.y) / rise : 1;
+    for (const double x : {p.x + (q.x - p.x) * from, p.x + (q.x - p.x) * to}) {
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+  }
+
+  void fill() {
+    begin.assign(static_cast<std::size_t>(columns) * rows + 1, 0);
+    for (const Triangle& t : facets.triangles) for_each_cell(t, [&](Index i) { ++begin[i + 1]; });
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    items.resize(begin.back());
+    std::vector<Index> next(begin.begin(), begin.end() - 1);
+    for (Index t = 0; t < static_cast<Index>(facets.triangles.size()); ++t)
+      for_each_cell(facets.triangles[t], [&](Index i) { items[next[i]++] = t; });
+  }
+
+  std::array<Vec2, 3> corners(Index t) const {
+    const Triangle& v = facets.triangles[t];
+    return {flat[v[0]], flat[v[1]], flat[v[2]]};
+  }
+
+  /// Barycentric weights times the doubled area, which is returned; not positive: the triangle holds nothing.
+  double scaled_weights(Index t, Vec2 p, std::array<double, 3>& weight) const {
+    const auto [a, b, c] = corners(t);
+    weight = {cross(c - b, p - b), cross(a - c, p - c), cross(b - a, p - a)};
+    const double area = cross(b - a, c - a);
+    const double longest = std::max({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)});
+    return area > degenerate * longest ? area : 0;
+  }
+
+  /// Does t hold p? Fills `at`.
+  bool holds(Index t, Vec2 p, FacetPoint& at) const {
+    std::array<double, 3> weight;
+    const double area = scaled_weights(t, p, weight);
+    if (area <= 0 || std::min({weight[0], weight[1], weight[2]}) < -edge_slack * area) return false;
+    at = clamped(t, weight);
+    return true;
+  }
+
+  static FacetPoint clamped(Index t, std::array<double, 3> weight) {
+    double sum = 0;
+    for (double& w : weight) sum += w = std::max(w, 0.0);
+    return facet_point_of(t, {weight[0] / sum, weight[1] / sum, weight[2] / sum});
+  }
+
+  /// Straight to p from triangle t across the edge p lies furthest beyond. False: the walk left the piece,
+  /// ran long or met a degenerate triangle.
+  bool walk(Index t, Vec2 p, FacetPoint& at) const {
+    for (int step = 0; step < max_walk && t != no_index; ++step) {
+      std::array<double, 3> weight;
+      const double area = scaled_weights(t, p, weight);
+      if (!(area > 0)) return false;
+      const int least =
+          weight[0] <= weight[1] ? (weight[0] <= weight[2] ? 0 : 2) : (weight[1] <= weight[2] ? 1 : 2);
+      if (!(weight[least] < -edge_slack * area)) {
+        at = clamped(t, weight);
+        return true;
+      }
+      t = neighbours[t][(least + 1) % 3];  // the edge opposite to corner `least`
+    }
+    return false;
+  }
+
+  FacetPoint search(Vec2 p) const {
+    FacetPoint at;
+    const Index column = column_of(p.x), row = row_of(p.y), home = row * columns + column;
+    for (Index i = begin[home]; i < begin[home + 1]; ++i)
+      if (holds(items[i], p, at)) return at;
+    return nearest(p, column, row);
+  }
+
+  /// Nearest triangle, in growing square rings of cells about the cell nearest to p.
+  FacetPoint nearest(Vec2 p, Index column, Index row) const {
+    FacetPoint best;
+    double least = std::numeric_limits<double>::infinity();
+    const Vec2 inside{std::clamp(p.x, low.x, low.x + columns * cell),
+                      std::clamp(p.y, low.y, low.y + rows * cell)};
+    const double gap = distance(p, inside);  // the cells are at least this far
+    const Index last = std::max(columns, rows);
+    for (Index ring = 0; ring <= last; ++ring) {
+      if (ring > 0 && best.triangle != no_index && least <= gap * gap + squared((ring - 1) * cell)) break;
+      for (Index r = std::max(0, row - ring); r <= std::min(rows - 1, row + ring); ++r) {
+        const bool whole = r == row - ring || r == row + ring;
+        for (Index c = column - ring; c <= column + ring; c += whole || ring == 0 ? 1 : 2 * ring)
+          if (c >= 0 && c < columns) nearest_in_cell(r * columns + c, p, best, least);
+      }
+    }
+    return best;
+  }
+
+  void nearest_in_cell(Index i, Vec2 p, FacetPoint& best, double& least) const {
+    for (Index k = begin[i]; k < begin[i + 1]; ++k) {
+      const Index t = items[k];
+      const auto [a, b, c] = corners(t);
+      const FacetPoint at = facet_point_of(t, nearest_weights(a, b, c, p));
+      const double squared = squared_norm(blend(a, b, c, at) - p);
+      if (squared < least || (squared == least && t < best.triangle)) {
+        least = squared;
+        best = at;
+      }
+    }
+  }
+};
+
+SurfaceMap::SurfaceMap(const Facets& facets, const FlatFace& flat)
+    : facets_(&facets), flat_(&flat), grid_(std::make_unique<Grid>(facets, flat.positions)) {}
+SurfaceMap::~SurfaceMap() = default;
+SurfaceMap::SurfaceMap(SurfaceMap&&) noexcept = default;
+
+FacetPoint SurfaceMap::locate(Vec2 flat, Index hint) const {
+  FacetPoint at;
+  if (facets_->triangles.empty() || !std::isfinite(flat.x) || !std::isfinite(flat.y)) return at;
+  const bool has_hint = hint >= 0 && hint < static_cast<Index>(facets_->triangles.size());
+  if (has_hint && grid_->walk(hint, flat, at)) return at;
+  return grid_->search(flat);
+}
+
+Vec3 SurfaceMap::facet_point(const FacetPoint& at) const {
+  const Triangle& t = facets_->triangles[at.triangle];
+  return blend(facets_->points[t[0]], facets_->points[t[1]], facets_->points[t[2]], at);
+}
+
+Vec3 SurfaceMap::surface_point(const FacetPoint& at) const {
+  const Vec3 on_facet = facet_point(at);
+  const SurfaceEvaluator* surface = surface_of(at.triangle);
+  if (!surface) return on_facet;
+  const auto& uv = facets_->triangle_uv[at.triangle];
+  const Vec3 exact = surface->point(blend(uv[0], uv[1], uv[2], at));
+  // Parameters that jump within a facet (at a pole, or across a seam) lead astray: a facet is no guess that
+  // bad.
+  const double longest = longest_edge(rest_triangle(*facets_, at.triangle));
+  return squared_norm(exact - on_facet) <= longest * longest ? exact : on_facet;
+}
+
+Vec3 SurfaceMap::normal(const FacetPoint& at) const {
+  if (const SurfaceEvaluator* surface = surface_of(at.triangle)) {
+    const auto& uv = facets_->triangle_uv[at.triangle];
+    const Vec3 exact = surface->normal(blend(uv[0], uv[1], uv[2], at));
+    if (std::isfinite(exact.x + exact.y + exact.z) && squared_norm(exact) > 0.25) return exact;
+  }
+  const Triangle& t = facets_->triangles[at.triangle];
+  const std::vector<Vec3>& normals = grid_->normals;
+  return normalized(blend(normals[t[0]], normals[t[1]], normals[t[2]], at));
+}
+
+double SurfaceMap::stretch(const FacetPoint& at, Vec2 direction) const {
+  const auto [a, b, c] = grid_->corners(at.triangle);
+  const Triangle& t = facets_->triangles[at.triangle];
+  std::array<double, 3> weight;
+  const double area = grid_->scaled_weights(at.triangle, a, weight);
+  if (!(area > 0)) return 1;
+  const double along_b = cross(direction, c - a) / area, along_c = cross(b - a, direction) / area;
+  return norm((facets_->points[t[1]] - facets_->points[t[0]]) * along_b +
+              (facets_->points[t[2]] - facets_->points[t[0]]) * along_c);
+}
+
+const SurfaceEvaluator* SurfaceMap::surface_of(Index triangle) const {
+  if (triangle >= static_cast<Index>(facets_->triangle_uv.size()) ||
+      triangle >= static_cast<Index>(facets_->triangle_face.size()))
+    return nullptr;
+  const Index face = facets_->triangle_face[triangle];
+  if (face < 0 || face >= static_cast<Index>(facets_->surfaces.size())) return nullptr;
+  return facets_->surfaces[face].get();
+}
+
+const Facets& SurfaceMap::facets() const {
+  return *facets_;
+}
+const FlatFace& SurfaceMap::flat() const {
+  return *flat_;
+}
+
+}  // namespace beadmesh

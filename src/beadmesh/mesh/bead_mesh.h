@@ -1,0 +1,27 @@
+// The mesh of one bead, before it is put into the panel's mesh.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "beadmesh/bead/ridge.h"
+#include "beadmesh/mesh/planar_mesh.h"
+
+namespace beadmesh {
+
+/// A node on the boundary of the face: neighbours take it over.
+struct BoundaryNode {
+  Index node = no_index;
+  BoundaryPosition at;
+};
+
+struct BeadMesh {
+  PlanarMesh mesh;
+  std::vector<BoundaryNode> boundary;            ///< every boundary node once
+  std::vector<std::vector<Index>> crest_lines;   ///< nodes along every ridge curve; closed: first == last
+  std::string method;                            ///< "blocks", "ridge" or "fallback"
+  std::vector<std::string> notes;                ///< why an earlier method was left
+};
+
+}  // namespace beadmesh

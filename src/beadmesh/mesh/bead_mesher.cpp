@@ -1,0 +1,150 @@
+#include "beadmesh/mesh/bead_mesher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "beadmesh/blocking/annular_blocks.h"
+#include "beadmesh/blocking/bead_blocks.h"
+#include "beadmesh/blocking/element_counts.h"
+#include "beadmesh/mesh/block_mesher.h"
+#include "beadmesh/mesh/ridge_insertion.h"
+#include "beadmesh/mesh/smoothing.h"
+#include "beadmesh/mesh/topological_cleanup.h"
+
+namespace beadmesh {
+namespace {
+
+/// Worst scaled Jacobian that a bead mesh may show before the next method is tried.
+constexpr double acceptable_jacobian = 0.35;
+
+struct Width {
+  double mean = 0, least = 0;
+};
+
+/// Thickness over the arms; the ends are left out, where clamps narrow it on purpose.
+Width width_of(const Skeleton& skeleton) {
+  double sum = 0, length = 0, least = 1e300;
+  for (const SkeletonArm& arm : skeleton.arms)
+    for (size_t i = 0; i < arm.points.size(); ++i) {
+      if (i > 0) {
+        const double step = distance(arm.points[i - 1].point, arm.points[i].point);
+        sum += step * (arm.points[i - 1].radius + arm.points[i].radius);
+        length += step;
+      }
+      least = std::min(least, 2 * arm.points[i].radius);
+    }
+  return {length > 0 ? sum / length : least, least};
+}
+
+Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map, const BeadMesherOptions& options) {
+  if (!layout) return tl::unexpected(layout.error());
+  const auto counted = assign_counts(*layout, edge_lengths(*layout, map), {options.size, options.min_edge});
+  if (!counted) return tl::unexpected(counted.error());
+  BeadMesh mesh = map_blocks(*layout, map);
+  mesh.method = "blocks";
+  return mesh;
+}
+
+/// Smooths and judges. What falls short is said in the failure.
+Result<BeadMesh> finished(Result<BeadMesh> mesh, const SurfaceMap& map, const BeadMesherOptions& options) {
+  if (!mesh) return mesh;
+  const SmoothingReport report = smooth(mesh->mesh, &map, mesh->crest_lines, {options.size, options.min_edge});
+  if (report.inverted > 0)
+    return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
+  if (report.edges_below_min > 0)
+    return fail("mesh.bead.min_edge", std::to_string(report.edges_below_min) + " edges under the minimum length");
+  if (report.scaled_jacobian_min < acceptable_jacobian)
+    return fail("mesh.bead.jacobian", "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
+  return mesh;
+}
+
+std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {
+  std::vector<std::array<Index, 2>> edges;
+  for (const auto& line : mesh.crest_lines)
+    for (size_t i = 1; i < line.size(); ++i) edges.push_back({line[i - 1], line[i]});
+  return edges;
+}
+
+bool is_prescribed(const BeadMesherOptions& options) {
+  return std::any_of(options.prescribed.begin(), options.prescribed.end(), [](const auto& l) { return !l.empty(); });
+}
+
+class BeadMesher {
+ public:
+  BeadMesher(const FaceStudy& study, const MedialObject& medial, const BeadMesherOptions& options)
+      : study_(study), options_(options), skeleton_(skeleton_of(medial)), width_(width_of(skeleton_)) {}
+
+  Result<BeadMesh> annular() {
+    AnnularBlockOptions blocks;
+    blocks.prescribed = options_.prescribed;
+    double around = 0;
+    for (const SkeletonArm& arm : skeleton_.arms) around += length_of(arm);
+    blocks.elements_around =
+        options_.elements_around ? options_.elements_around : std::max(8, 2 * int(std::lround(around / options_.size / 2)));
+    for (int m = across(); m >= 2; m -= 2) {
+      blocks.elements_across = m;
+      if (attempt("blocks", [&] { return mesh_layout(blocks_of_annular_bead(skeleton_, study_.region, blocks), *study_.map, options_); }))
+        return std::move(*best_);
+    }
+    return last_resort();
+  }
+
+  Result<BeadMesh> armed() {
+    if (is_prescribed(options_)) return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
+    const RidgeGraph ridge = ridge_of(skeleton_, study_.region);
+    for (int m = across(); m >= 2; m -= 2) {
+      const BeadBlockOptions blocks{options_.size, options_.min_edge, m};
+      if (attempt("blocks", [&] { return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map, options_); }))
+        return std::move(*best_);
+    }
+    return last_resort();
+  }
+
+ private:
+  int across() const { return elements_across(width_.mean, width_.least, {options_.size, options_.min_edge}); }
+
+  bool attempt(const std::string& name, const std::function<Result<BeadMesh>()>& make) {
+    auto mesh = finished(make(), *study_.map, options_);
+    if (!mesh) {
+      reasons_.push_back(name + ": " + mesh.error().message);
+      return false;
+    }
+    mesh->notes = reasons_;
+    best_ = std::move(*mesh);
+    return true;
+  }
+
+  Result<BeadMesh> last_resort() {
+    if (!is_prescribed(options_) && attempt("ridge", [&] { return by_ridge(); })) return std::move(*best_);
+    std::string all;
+    for (const std::string& reason : reasons_) all += (all.empty() ? "" : "; ") + reason;
+    return fail("mesh.bead.failed", all);
+  }
+
+  Result<BeadMesh> by_ridge() {
+    const RidgeGraph ridge = ridge_of(skeleton_, study_.region);
+    auto mesh = mesh_by_ridge_insertion(ridge, study_.region, *study_.map, {options_.size, options_.min_edge});
+    if (!mesh) return mesh;
+    clean_up(mesh->mesh, study_.map.get(), crest_edges(*mesh), {options_.size, options_.min_edge});
+    return mesh;
+  }
+
+  const FaceStudy& study_;
+  BeadMesherOptions options_;
+  Skeleton skeleton_;
+  Width width_;
+  std::vector<std::string> reasons_;
+  std::optional<BeadMesh> best_;
+};
+
+}  // namespace
+
+Result<BeadMesh> mesh_bead(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
+                           const BeadMesherOptions& options) {
+  BeadMesher mesher(study, medial, options);
+  return kind == BeadKind::annular ? mesher.annular() : mesher.armed();
+}
+
+}  // namespace beadmesh

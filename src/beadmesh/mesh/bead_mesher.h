@@ -1,0 +1,25 @@
+// One bead, meshed by the best method that passes its own checks (section 5 of the paper).
+#pragma once
+
+#include "beadmesh/bead/bead.h"
+#include "beadmesh/bead/face_study.h"
+#include "beadmesh/core/result.h"
+#include "beadmesh/medial/medial_object.h"
+#include "beadmesh/mesh/bead_mesh.h"
+
+namespace beadmesh {
+
+struct BeadMesherOptions {
+  double size = 5;          ///< default 5 mm: target element length
+  double min_edge = 2.5;    ///< default 2.5 mm: minimum element length
+  int elements_around = 0;  ///< default 0: from the size; annular beads only, even
+  /// Per loop: arc lengths of nodes that an already meshed neighbour has set, ascending; empty: free.
+  std::vector<std::vector<double>> prescribed;
+};
+
+/// Blocks first, then ridge insertion; smoothed. Fails where neither gives a mesh without inverted elements and without edges
+/// below min_edge: the caller then meshes the face as an ordinary one. The failure's message holds all reasons.
+Result<BeadMesh> mesh_bead(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
+                           const BeadMesherOptions& options = {});
+
+}  // namespace beadmesh

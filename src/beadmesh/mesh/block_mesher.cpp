@@ -1,0 +1,185 @@
+#include "beadmesh/mesh/block_mesher.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadmesh/mesh/surface_polyline.h"
+
+namespace beadmesh {
+namespace {
+
+using NodeRow = std::vector<Index>;
+
+class BlockMapper {
+ public:
+  BlockMapper(const BlockLayout& layout, const SurfaceMap& map) : layout_(layout), map_(map) {}
+
+  BeadMesh run() {
+    vertex_node_.assign(layout_.vertices.size(), no_index);
+    for (const VirtualEdge& edge : layout_.edges) edge_nodes_.push_back(nodes_along(edge));
+    for (const Block& block : layout_.blocks) fill(block);
+    collect_crest_lines();
+    return std::move(out_);
+  }
+
+ private:
+  Index add_node(Vec2 point, NodeFreedom freedom) {
+    out_.mesh.nodes.push_back(point);
+    out_.mesh.freedom.push_back(freedom);
+    return Index(out_.mesh.nodes.size()) - 1;
+  }
+
+  Index add_boundary_node(Vec2 point, BoundaryPosition at) {
+    const Index node = add_node(point, NodeFreedom::fixed);
+    out_.boundary.push_back({node, at});
+    return node;
+  }
+
+  Index node_of_vertex(Index v) {
+    if (vertex_node_[v] != no_index) return vertex_node_[v];
+    const VirtualVertex& vertex = layout_.vertices[v];
+    vertex_node_[v] = vertex.on_boundary ? add_boundary_node(vertex.point, vertex.boundary)
+                                         : add_node(vertex.point, freedom_of_vertex(v));
+    return vertex_node_[v];
+  }
+
+  /// A vertex inside a crest line slides along it; where lines meet or end it stays; others are free.
+  NodeFreedom freedom_of_vertex(Index v) const {
+    int ridges = 0;
+    for (const VirtualEdge& edge : layout_.edges)
+      if (edge.kind == VirtualEdgeKind::ridge) ridges += (edge.start == v) + (edge.end == v);
+    return ridges == 0 ? NodeFreedom::free : ridges == 2 ? NodeFreedom::crest : NodeFreedom::fixed;
+  }
+
+  NodeRow nodes_along(const VirtualEdge& edge) {
+    NodeRow row{node_of_vertex(edge.start)};
+    const SurfacePolyline line(edge.points, map_);
+    for (int i = 1; i < edge.count; ++i) row.push_back(inner_node(edge, line, i));
+    row.push_back(node_of_vertex(edge.end));
+    return row;
+  }
+
+  Index inner_node(const VirtualEdge& edge, const SurfacePolyline& line, int i) {
+    const double arc = line.length() * i / edge.count;
+    if (edge.kind != VirtualEdgeKind::boundary)
+      return add_node(line.point_at(arc),
+                      edge.kind == VirtualEdgeKind::ridge ? NodeFreedom::crest : NodeFreedom::free);
+    if (edge.prescribed.empty()) {
+      const double at = edge.from + (edge.to - edge.from) * line.flat_share_at(arc);
+      return add_boundary_node(line.point_at(arc), {edge.loop, at});
+    }
+    const double at = edge.prescribed[i - 1];
+    return add_boundary_node(point_on(edge, at), {edge.loop, at});
+  }
+
+  /// Flat point of a boundary edge at an arc length of its loop, given within any turn of it.
+  static Vec2 point_on(const VirtualEdge& edge, double at) {
+    const double walked = edge.to > edge.from ? at - edge.from : edge.from - at;
+    double left = std::fmod(walked, edge.loop_length);
+    if (left < 0) left += edge.loop_length;
+    for (size_t i = 1; i < edge.points.size(); ++i) {
+      const double step = distance(edge.points[i - 1], edge.points[i]);
+      if (left <= step && step > 0) return lerp(edge.points[i - 1], edge.points[i], left / step);
+      left -= step;
+    }
+    return edge.points.back();
+  }
+
+  NodeRow row_of(const BlockSide& side) const {
+    NodeRow row;
+    for (size_t i = 0; i < side.edges.size(); ++i) {
+      NodeRow part = edge_nodes_[side.edges[i]];
+      if (side.reversed[i]) std::reverse(part.begin(), part.end());
+      if (!row.empty()) row.pop_back();
+      row.insert(row.end(), part.begin(), part.end());
+    }
+    return row;
+  }
+
+  void fill(const Block& block) {
+    const NodeRow bottom = row_of(block.sides[0]), right = row_of(block.sides[1]);
+    NodeRow top = row_of(block.sides[2]), left = row_of(block.sides[3]);
+    std::reverse(top.begin(), top.end());
+    std::reverse(left.begin(), left.end());
+    const size_t n = bottom.size(), m = left.size();
+    std::vector<NodeRow> grid(m);
+    grid.front() = bottom;
+    grid.back() = top;
+    for (size_t j = 1; j + 1 < m; ++j) {
+      grid[j].assign(n, no_index);
+      grid[j].front() = left[j];
+      grid[j].back() = right[j];
+      for (size_t i = 1; i + 1 < n; ++i) grid[j][i] = add_node(blend(bottom, right, top, left, i, j), NodeFreedom::free);
+    }
+    for (size_t j = 0; j + 1 < m; ++j)
+      for (size_t i = 0; i + 1 < n; ++i)
+        out_.mesh.elements.push_back({grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]});
+  }
+
+  Vec2 blend(const NodeRow& bottom, const NodeRow& right, const NodeRow& top, const NodeRow& left, size_t i,
+             size_t j) const {
+    const auto& p = out_.mesh.nodes;
+    const double u = double(i) / double(bottom.size() - 1), v = double(j) / double(left.size() - 1);
+    const Vec2 across = lerp(p[left[j]], p[right[j]], u), along = lerp(p[bottom[i]], p[top[i]], v);
+    const Vec2 corners = lerp(lerp(p[bottom.front()], p[bottom.back()], u), lerp(p[top.front()], p[top.back()], u), v);
+    return across + along - corners;
+  }
+
+  /// Ridge edges joined over the vertices where just two of them meet.
+  void collect_crest_lines() {
+    std::vector<bool> used(layout_.edges.size(), false);
+    const auto is_through = [&](Index v) {
+      return !layout_.vertices[v].on_boundary && freedom_of_vertex(v) == NodeFreedom::crest;
+    };
+    for (int round = 0; round < 2; ++round)  // lines with ends first, closed ones after
+      for (Index e = 0; e < Index(layout_.edges.size()); ++e) {
+        const VirtualEdge& edge = layout_.edges[e];
+        if (used[e] || edge.kind != VirtualEdgeKind::ridge) continue;
+        if (round == 0 && is_through(edge.start) && is_through(edge.end)) continue;
+        const bool from_end = round == 0 && is_through(edge.start);
+        out_.crest_lines.push_back(line_from(e, from_end, used));
+      }
+  }
+
+  NodeRow line_from(Index e, bool from_end, std::vector<bool>& used) const {
+    NodeRow line;
+    Index at = from_end ? layout_.edges[e].end : layout_.edges[e].start;
+    while (e != no_index) {
+      used[e] = true;
+      NodeRow part = edge_nodes_[e];
+      if (layout_.edges[e].start != at) std::reverse(part.begin(), part.end());
+      if (!line.empty()) line.pop_back();
+      line.insert(line.end(), part.begin(), part.end());
+      at = layout_.edges[e].start == at ? layout_.edges[e].end : layout_.edges[e].start;
+      e = next_ridge(at, used);
+    }
+    return line;
+  }
+
+  Index next_ridge(Index vertex, const std::vector<bool>& used) const {
+    if (layout_.vertices[vertex].on_boundary || freedom_of_vertex(vertex) != NodeFreedom::crest) return no_index;
+    for (Index e = 0; e < Index(layout_.edges.size()); ++e) {
+      const VirtualEdge& edge = layout_.edges[e];
+      if (edge.kind == VirtualEdgeKind::ridge && !used[e] && (edge.start == vertex || edge.end == vertex)) return e;
+    }
+    return no_index;
+  }
+
+  const BlockLayout& layout_;
+  const SurfaceMap& map_;
+  std::vector<Index> vertex_node_;
+  std::vector<NodeRow> edge_nodes_;
+  BeadMesh out_;
+};
+
+}  // namespace
+
+std::vector<double> edge_lengths(const BlockLayout& layout, const SurfaceMap& map) {
+  std::vector<double> lengths;
+  for (const VirtualEdge& edge : layout.edges) lengths.push_back(SurfacePolyline(edge.points, map).length());
+  return lengths;
+}
+
+BeadMesh map_blocks(const BlockLayout& layout, const SurfaceMap& map) { return BlockMapper(layout, map).run(); }
+
+}  // namespace beadmesh

@@ -1,0 +1,114 @@
+#include "beadmesh/mesh/chain_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace beadmesh {
+namespace {
+
+class ParitySolver {
+ public:
+  ParitySolver(const ChainSet& chains, const std::vector<bool>& free_faces, std::vector<int>& counts,
+               const ChainCountOptions& options)
+      : chains_(chains), free_faces_(free_faces), counts_(counts), options_(options) {
+    for (size_t c = 0; c < counts.size(); ++c) {
+      fixed_.push_back(counts[c] > 0);
+      if (!fixed_[c]) counts[c] = natural_count(chains.chains[c]);
+    }
+  }
+
+  void run() {
+    for (Index face = 0; face < Index(free_faces_.size()); ++face)
+      if (free_faces_[face] && is_odd(face)) mend(face);
+  }
+
+ private:
+  /// A closed chain needs four nodes to bound anything; open ones may be a single element.
+  static int least_count(const Chain& chain) { return chain.closed ? 4 : 1; }
+
+  int most_count(const Chain& chain) const {
+    return std::max(least_count(chain), int(std::floor(chain.length() / (1.04 * options_.min_edge))));
+  }
+
+  int natural_count(const Chain& chain) const {
+    const int n = std::clamp(int(std::lround(chain.length() / options_.size)), least_count(chain), most_count(chain));
+    return chain.closed && n % 2 ? changed(chain, n) : n;
+  }
+
+  /// One more or one less, whichever keeps the elements nearer to the size and above the minimum.
+  int changed(const Chain& chain, int n) const {
+    if (n <= least_count(chain)) return n + 1;
+    if (n >= most_count(chain)) return n - 1;
+    const double fewer = std::log(chain.length() / ((n - 1) * options_.size));
+    const double more = std::log(chain.length() / ((n + 1) * options_.size));
+    return std::abs(more) < std::abs(fewer) ? n + 1 : n - 1;
+  }
+
+  double cost(Index c) const {
+    const Chain& chain = chains_.chains[c];
+    const bool too_short = counts_[c] <= least_count(chain) && counts_[c] >= most_count(chain);
+    return 1.0 / counts_[c] + (too_short ? 1e3 : 0);
+  }
+
+  bool is_odd(Index face) const {
+    int total = 0;
+    for (const auto& loop : chains_.loops[face])
+      for (const ChainUse& use : loop) total += counts_[use.chain];
+    return total % 2;
+  }
+
+  /// Cheapest path over changeable chains from an odd face to the outside or to another odd face (Dijkstra).
+  void mend(Index start) {
+    const Index outside = Index(free_faces_.size());
+    std::vector<double> best(free_faces_.size() + 1, 1e300);
+    std::vector<Index> by(best.size(), no_index), from(best.size(), no_index);
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    best[start] = 0;
+    queue.push({0, start});
+    while (!queue.empty()) {
+      const auto [so_far, face] = queue.top();
+      queue.pop();
+      if (so_far > best[face]) continue;
+      if (face == outside || (face != start && is_odd(face))) return change_path(face, start, by, from);
+      for (const auto& loop : chains_.loops[face])
+        for (const ChainUse& use : loop) {
+          const Index next = across(use.chain, face, outside);
+          if (next == no_index || best[face] + cost(use.chain) >= best[next]) continue;
+          best[next] = best[face] + cost(use.chain);
+          by[next] = use.chain;
+          from[next] = face;
+          queue.push({best[next], next});
+        }
+    }
+  }
+
+  Index across(Index c, Index face, Index outside) const {
+    const auto& sides = chains_.chains[c].faces;
+    if (fixed_[c] || sides[0] == sides[1]) return no_index;
+    const Index other = sides[0] == face ? sides[1] : sides[0];
+    if (other == no_index) return outside;
+    return free_faces_[other] ? other : no_index;
+  }
+
+  void change_path(Index end, Index start, const std::vector<Index>& by, const std::vector<Index>& from) {
+    for (Index face = end; face != start; face = from[face])
+      counts_[by[face]] = changed(chains_.chains[by[face]], counts_[by[face]]);
+  }
+
+  const ChainSet& chains_;
+  const std::vector<bool>& free_faces_;
+  std::vector<int>& counts_;
+  ChainCountOptions options_;
+  std::vector<bool> fixed_;
+};
+
+}  // namespace
+
+void assign_chain_counts(const ChainSet& chains, const std::vector<bool>& free_faces, std::vector<int>& counts,
+                         const ChainCountOptions& options) {
+  ParitySolver(chains, free_faces, counts, options).run();
+}
+
+}  // namespace beadmesh

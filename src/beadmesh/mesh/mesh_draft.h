@@ -1,0 +1,64 @@
+// The growing mesh that the stages of the subdivision mesher share. Internal to the room.
+#pragma once
+
+#include <array>
+#include <unordered_set>
+#include <vector>
+
+#include "beadmesh/mesh/subdivision_mesher.h"
+
+namespace beadmesh {
+
+/// First fundamental form of the surface over the plane, for lengths of short flat vectors.
+struct SurfaceMetric {
+  double xx = 1, xy = 0, yy = 1;
+};
+
+class MeshDraft {
+ public:
+  /// Takes the loops' nodes over, with their metric and their spacing (mean length of the loop edges at a
+  /// node).
+  MeshDraft(const NodeLoops& loops, const SurfaceMap* map, double size);
+
+  const std::vector<Vec2>& nodes() const { return nodes_; }
+  const std::vector<MeshElement>& elements() const { return elements_; }
+  const Vec2& at(Index node) const { return nodes_[node]; }
+  const SurfaceMetric& metric(Index node) const { return metrics_[node]; }
+  double size() const { return size_; }
+
+  Index add_node(Vec2 position);
+  void move_node(Index node, Vec2 position) { nodes_[node] = position; }
+  void add_edge(Index a, Index b) { edges_.insert(key(a, b)); }
+  bool has_edge(Index a, Index b) const { return edges_.count(key(a, b)) > 0; }
+  /// Adds the element and its edges.
+  void add_element(const MeshElement& element);
+
+  /// Length on the surface of the straight flat line between two nodes.
+  double surface_length(Index a, Index b) const;
+  /// How many edges the line should have (a real number), graded from the spacing at its ends to the size.
+  double edge_count(Index a, Index b) const;
+  /// Nodes a .. b of a line of `edges` edges, graded likewise, with its edges entered.
+  std::vector<Index> add_line(Index a, Index b, int edges);
+
+  PlanarMesh take(std::size_t fixed_nodes) &&;
+
+ private:
+  static std::uint64_t key(Index a, Index b) {
+    const auto low = static_cast<std::uint32_t>(a < b ? a : b),
+               high = static_cast<std::uint32_t>(a < b ? b : a);
+    return (static_cast<std::uint64_t>(high) << 32) | low;
+  }
+  double spacing_along(Index a, Index b, double length, double at) const;
+  SurfaceMetric sample(Vec2 position);
+
+  const SurfaceMap* map_;
+  double size_;
+  Index hint_ = no_index;
+  std::vector<Vec2> nodes_;
+  std::vector<SurfaceMetric> metrics_;
+  std::vector<double> spacing_;
+  std::vector<MeshElement> elements_;
+  std::unordered_set<std::uint64_t> edges_;  // asked for membership only: its order never matters
+};
+
+}  // namespace beadmesh

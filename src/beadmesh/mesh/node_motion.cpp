@@ -1,0 +1,298 @@
+#include "beadmesh/mesh/node_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace beadmesh {
+namespace {
+
+/// Scaled Jacobian per corner and length of the side that starts there.
+struct Corners {
+  int count = 4;
+  double jacobian[4], side[4];
+  double worst = 0;
+};
+
+Corners corners_of(const SurfaceNodes& nodes, const MeshElement& element) {
+  Corners result;
+  result.count = corner_count(element);
+  const int count = result.count;
+  Vec3 side[4];
+  for (int i = 0; i < count; ++i) {
+    side[i] = nodes.space(element[(i + 1) % count]) - nodes.space(element[i]);
+    result.side[i] = norm(side[i]);
+  }
+  const Vec3 normal =
+      normalized(count == 4 ? cross(side[0] + side[1], side[1] + side[2]) : cross(side[0], side[1]));
+  const double scale = count == 4 ? 1 : 2 / std::sqrt(3.0);
+  result.worst = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < count; ++i) {
+    const int before = (i + count - 1) % count;
+    const double lengths = result.side[i] * result.side[before];
+    const double jacobian = lengths > 0 ? scale * dot(cross(side[before], side[i]), normal) / lengths : 0;
+    result.jacobian[i] = jacobian;
+    result.worst = std::min(result.worst, jacobian);
+  }
+  return result;
+}
+
+/// Area in the plane over the product of the diagonals (or of two sides): in [-1, 1], its sign is the
+/// orientation.
+double flat_orientation(const SurfaceNodes& nodes, const MeshElement& element) {
+  const Vec2 a = nodes.flat(element[0]), b = nodes.flat(element[1]), c = nodes.flat(element[2]);
+  const Vec2 p = is_quad(element) ? c - a : b - a;
+  const Vec2 q = is_quad(element) ? nodes.flat(element[3]) - b : c - a;
+  const double scale = norm(p) * norm(q);
+  return scale > 0 ? cross(p, q) / scale : 0;
+}
+
+double square(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+double signed_quality(const SurfaceNodes& nodes, const MeshElement& element) {
+  const double orientation = flat_orientation(nodes, element);
+  return orientation > 0 ? corners_of(nodes, element).worst : orientation - 1;
+}
+
+double NodeMotion::worst_around(Index node) const {
+  double worst = 1;
+  for (const Index e : mesh_.star(node)) worst = std::min(worst, signed_quality(nodes_, mesh_.element(e)));
+  return worst;
+}
+
+double NodeMotion::shortfall(Index node) const {
+  double shortest = limits_.min_edge;
+  for (const Index e : mesh_.star(node)) {
+    const auto [next, previous] = corner_neighbours(mesh_.element(e), node);
+    shortest = std::min({shortest, distance(nodes_.space(node), nodes_.space(next)),
+                         distance(nodes_.space(node), nodes_.space(previous))});
+  }
+  return 1 - shortest / limits_.min_edge;
+}
+
+NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
+  // Near the minimum edge length a soft wall begins; what is below it weighs more than any shape.
+  const double soft = 1.2 * limits_.min_edge, width = soft - limits_.min_edge, long_side = 1.6 * limits_.size;
+  const double wall = aim == MotionAim::edges ? 2000 : 50;
+  State state;
+  state.worst = 1;
+  for (const Index e : mesh_.star(node)) {
+    const MeshElement& element = mesh_.element(e);
+    const double orientation = flat_orientation(nodes_, element);
+    const Corners corners = corners_of(nodes_, element);
+    state.worst = std::min(state.worst, orientation > 0 ? corners.worst : orientation - 1);
+    if (orientation <= 0) state.cost += 20 * (1 - orientation);
+    for (int i = 0; i < corners.count; ++i) {
+      const double t = square(1 - corners.jacobian[i]);
+      state.cost += aim == MotionAim::worst ? t + 30 * t * t * t : t + 4 * t * t;
+      if (element[i] != node) continue;
+      const double side = corners.side[i];
+      if (side < soft) state.cost += 0.5 * square((soft - side) / width);
+      if (side < limits_.min_edge) {
+        const double missing = square((limits_.min_edge - side) / width);
+        state.cost += wall * missing;
+        state.shortage += missing;
+      }
+      if (side > long_side) state.cost += 0.5 * square((side - long_side) / limits_.size);
+    }
+  }
+  return state;
+}
+
+double NodeMotion::cost_at(Index node, const SurfacePlace& place, MotionAim aim) {
+  nodes_.set(node, place);
+  return measure(node, aim).cost;
+}
+
+/// Guards: no new or greater shortage of edges, no worse element below the floor, and a gain (a variational
+/// step need not gain).
+bool NodeMotion::keep_if_better(Index node, const SurfacePlace& place, const State& before, MotionAim aim) {
+  const SurfacePlace old = nodes_[node];
+  nodes_.set(node, place);
+  const State after = measure(node, aim);
+  const double floor = aim == MotionAim::edges ? 0.25 : limits_.floor;
+  const bool kept = after.cost < before.cost * (1 - 1e-7) && after.shortage <= before.shortage &&
+                    after.worst >= std::min(before.worst, floor);
+  if (!kept) nodes_.set(node, old);
+  if (kept) last_step_ = distance(old.flat, place.flat);
+  return kept;
+}
+
+bool NodeMotion::untangle(Index node) {
+  if (freedom_[node] != NodeFreedom::free) return false;
+  // Twice the area of a corner triangle is linear in the node's position: n . x + c.
+  struct Term {
+    Vec2 n;
+    double c;
+  };
+  std::vector<Term> terms;
+  double scale = 0;
+  const auto add = [&](Index a, Index b) {  // triangle (node, a, b), counter-clockwise
+    const Vec2 pa = nodes_.flat(a), pb = nodes_.flat(b);
+    terms.push_back({left_normal(pb - pa), cross(pa, pb)});
+    scale += squared_norm(pb - pa);
+  };
+  for (const Index e : mesh_.star(node)) {
+    const MeshElement& element = mesh_.element(e);
+    const auto [next, previous] = corner_neighbours(element, node);
+    add(next, previous);
+    if (!is_quad(element)) continue;
+    const Index opposite = element[(corner_of(element, node) + 2) % 4];
+    add(next, opposite);
+    add(opposite, previous);
+  }
+  const double target = 0.15 * scale / static_cast<double>(terms.size());
+  const Vec2 start = nodes_.flat(node);
+  Vec2 x = start;
+  for (int round = 0; round < 12; ++round) {
+    double gx = 0, gy = 0, hxx = 1e-9 * scale, hxy = 0, hyy = 1e-9 * scale;
+    for (const Term& term : terms) {
+      const double missing = target - dot(term.n, x) - term.c;
+      if (missing <= 0) continue;
+      gx -= missing * term.n.x, gy -= missing * term.n.y;
+      hxx += term.n.x * term.n.x, hxy += term.n.x * term.n.y, hyy += term.n.y * term.n.y;
+    }
+    const double determinant = hxx * hyy - hxy * hxy;
+    if (!(determinant > 0) || (gx == 0 && gy == 0)) break;
+    const Vec2 step = {-(hyy * gx - hxy * gy) / determinant, -(hxx * gy - hxy * gx) / determinant};
+    x += step;
+    if (squared_norm(step) < 1e-10 * squared_norm(x - start)) break;
+  }
+  if (!std::isfinite(x.x) || !std::isfinite(x.y) || x == start) return false;
+  last_step_ = distance(start, x);
+  nodes_.set(node, nodes_.place(x, nodes_[node].triangle));
+  return true;
+}
+
+/// Neighbours in turn and the far corners between them, counter-clockwise; false where not all are quads in a
+/// closed fan.
+bool NodeMotion::fan(Index node, std::vector<Index>& sides, std::vector<Index>& diagonals) const {
+  sides.clear();
+  diagonals.clear();
+  const std::vector<Index>& star = mesh_.star(node);
+  Index element = star.front();
+  for (size_t i = 0; i < star.size(); ++i) {
+    if (element == no_index || !is_quad(mesh_.element(element))) return false;
+    const MeshElement& corners = mesh_.element(element);
+    const int at = corner_of(corners, node);
+    sides.push_back(corners[(at + 1) % 4]);
+    diagonals.push_back(corners[(at + 2) % 4]);
+    element = mesh_.element_with_edge(node, corners[(at + 3) % 4]);
+  }
+  return element == star.front();
+}
+
+Vec2 NodeMotion::winslow(std::span<const Index> sides, std::span<const Index> diagonals) const {
+  // alpha x_uu - 2 beta x_uv + gamma x_vv = 0 with the metric of the surface; u: sides 2 -> 0, v: sides 3
+  // -> 1.
+  const Vec3 du = (nodes_.space(sides[0]) - nodes_.space(sides[2])) / 2;
+  const Vec3 dv = (nodes_.space(sides[1]) - nodes_.space(sides[3])) / 2;
+  const double alpha = squared_norm(dv), beta = dot(du, dv), gamma = squared_norm(du);
+  const Vec2 mixed = (nodes_.flat(diagonals[0]) - nodes_.flat(diagonals[1]) + nodes_.flat(diagonals[2]) -
+                      nodes_.flat(diagonals[3])) /
+                     4;
+  const Vec2 sum = alpha * (nodes_.flat(sides[0]) + nodes_.flat(sides[2])) +
+                   gamma * (nodes_.flat(sides[1]) + nodes_.flat(sides[3])) - 2 * beta * mixed;
+  return sum / (2 * (alpha + gamma));
+}
+
+Vec2 NodeMotion::isoparametric(std::span<const Index> sides, std::span<const Index> diagonals) const {
+  // Herrmann 1976 with weight 1/2: half way between Laplace and isoparametric.
+  Vec2 sum;
+  for (size_t i = 0; i < sides.size(); ++i)
+    sum += 2 * nodes_.flat(sides[i]) - 0.5 * nodes_.flat(diagonals[i]);
+  return sum / (1.5 * static_cast<double>(sides.size()));
+}
+
+Vec2 NodeMotion::length_weighted(Index node) const {
+  Vec2 sum;
+  double weights = 0;
+  for (const Index e : mesh_.star(node)) {
+    const Index next = corner_neighbours(mesh_.element(e), node).first;
+    const double length = distance(nodes_.space(node), nodes_.space(next));
+    sum += length * nodes_.flat(next);
+    weights += length;
+  }
+  return weights > 0 ? sum / weights : nodes_.flat(node);
+}
+
+bool NodeMotion::relax(Index node) {
+  const SurfacePlace old = nodes_[node];
+  if (freedom_[node] != NodeFreedom::free) {
+    if (!is_movable(node)) return false;
+    const double shift = crest_.shift_to_middle(node);
+    const SurfacePlace middle = nodes_.place(crest_.shifted(node, shift), old.triangle);
+    if (std::abs(shift) < 1e-3 * limits_.size) return false;
+    if (!keep_if_better(node, middle, measure(node, MotionAim::mean), MotionAim::mean)) return false;
+    crest_.slide(node, shift);
+    return true;
+  }
+  Vec2 target;
+  if (!fan(node, sides_, diagonals_))
+    target = length_weighted(node);
+  else if (sides_.size() == 4)
+    target = winslow(sides_, diagonals_);
+  else
+    target = isoparametric(sides_, diagonals_);
+  if (!std::isfinite(target.x) || !std::isfinite(target.y)) return false;
+  if (distance(target, old.flat) < 1e-3 * limits_.size) return false;
+  return keep_if_better(node, nodes_.place(target, old.triangle), measure(node, MotionAim::mean),
+                        MotionAim::mean);
+}
+
+bool NodeMotion::optimise(Index node, MotionAim aim) {
+  if (freedom_[node] == NodeFreedom::free) return optimise_free(node, aim);
+  return freedom_[node] == NodeFreedom::crest && crest_.slides(node) && optimise_crest(node, aim);
+}
+
+bool NodeMotion::optimise_free(Index node, MotionAim aim) {
+  const SurfacePlace old = nodes_[node];
+  const State before = measure(node, aim);
+  const double h = 0.01 * limits_.size;
+  const auto cost = [&](double x, double y) {
+    return cost_at(node, nodes_.place({old.flat.x + x, old.flat.y + y}, old.triangle), aim);
+  };
+  const double right = cost(h, 0), left = cost(-h, 0), up = cost(0, h), down = cost(0, -h), both = cost(h, h);
+  nodes_.set(node, old);
+  const double gx = (right - left) / (2 * h), gy = (up - down) / (2 * h);
+  double hxx = (right + left - 2 * before.cost) / (h * h), hyy = (up + down - 2 * before.cost) / (h * h);
+  const double hxy = (both - right - up + before.cost) / (h * h);
+  // Shifted until positive definite.
+  const double mean = (hxx + hyy) / 2, spread = std::sqrt(square((hxx - hyy) / 2) + square(hxy));
+  const double least = mean - spread, wanted = 0.05 * (std::abs(mean) + spread) + 1e-9;
+  const double shift = least < wanted ? wanted - least : 0;
+  hxx += shift, hyy += shift;
+  const double determinant = hxx * hyy - hxy * hxy;
+  Vec2 step = {-(hyy * gx - hxy * gy) / determinant, -(hxx * gy - hxy * gx) / determinant};
+  const double length = norm(step), longest = 0.4 * limits_.size;
+  if (!std::isfinite(length) || length < 1e-4 * limits_.size) return false;
+  if (length > longest) step = step * (longest / length);
+  for (int halving = 0; halving < 5; ++halving, step = step / 2)
+    if (keep_if_better(node, nodes_.place(old.flat + step, old.triangle), before, aim)) return true;
+  return false;
+}
+
+bool NodeMotion::optimise_crest(Index node, MotionAim aim) {
+  const SurfacePlace old = nodes_[node];
+  const State before = measure(node, aim);
+  const double h = 0.01 * limits_.size;
+  const auto place = [&](double shift) { return nodes_.place(crest_.shifted(node, shift), old.triangle); };
+  const double ahead = cost_at(node, place(h), aim), back = cost_at(node, place(-h), aim);
+  nodes_.set(node, old);
+  const double slope = (ahead - back) / (2 * h), bend = (ahead + back - 2 * before.cost) / (h * h);
+  double step = bend > 0 ? -slope / bend : (slope > 0 ? -0.1 : 0.1) * limits_.size;
+  if (!std::isfinite(step)) return false;
+  step = std::clamp(step, -0.4 * limits_.size, 0.4 * limits_.size);
+  for (int halving = 0; halving < 5; ++halving, step /= 2) {
+    if (!keep_if_better(node, place(step), before, aim)) continue;
+    crest_.slide(node, step);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace beadmesh

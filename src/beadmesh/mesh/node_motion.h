@@ -1,0 +1,76 @@
+// Movement of single nodes: the kernel of the smoothing and of the local smoothing after topological edits.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "beadmesh/mesh/crest_lines.h"
+#include "beadmesh/mesh/quad_connectivity.h"
+#include "beadmesh/mesh/surface_nodes.h"
+
+namespace beadmesh {
+
+struct MotionLimits {
+  double size = 5;
+  double min_edge = 2.5;
+  double floor = 0.7;  ///< scaled Jacobians above it may be traded against each other
+};
+
+/// What an optimisation step is after.
+enum class MotionAim { mean, worst, edges };
+
+/// How good one element is: scaled Jacobian on the surface; where the element is turned over in the plane,
+/// below -1.
+double signed_quality(const SurfaceNodes& nodes, const MeshElement& element);
+
+/// Moves one node at a time. Keeps references to all it is given.
+class NodeMotion {
+ public:
+  NodeMotion(SurfaceNodes& nodes, const QuadConnectivity& mesh, const std::vector<NodeFreedom>& freedom,
+             CrestLines& crest, const MotionLimits& limits)
+      : nodes_(nodes), mesh_(mesh), freedom_(freedom), crest_(crest), limits_(limits) {}
+
+  bool is_movable(Index node) const {
+    return freedom_[node] == NodeFreedom::free ||
+           (freedom_[node] == NodeFreedom::crest && crest_.slides(node));
+  }
+  /// Least scaled Jacobian around the node.
+  double worst_around(Index node) const;
+  /// Largest shortfall of an edge at the node below the minimum edge length, as a share of it; 0: none.
+  double shortfall(Index node) const;
+
+  /// Makes the corner areas in the plane positive that the node takes part in (Knupp 2001: a convex problem
+  /// per node).
+  bool untangle(Index node);
+  /// Variational step: Winslow on four quads, isoparametric on other fans of quads, length-weighted at
+  /// triangles.
+  bool relax(Index node);
+  /// One Newton step with line search on the shape and edge-length objective.
+  bool optimise(Index node, MotionAim aim);
+  /// Distance in the plane that the last successful step covered.
+  double last_step() const { return last_step_; }
+
+ private:
+  struct State {
+    double cost = 0, worst = 0, shortage = 0;
+  };
+  State measure(Index node, MotionAim aim) const;
+  double cost_at(Index node, const SurfacePlace& place, MotionAim aim);
+  bool keep_if_better(Index node, const SurfacePlace& place, const State& before, MotionAim aim);
+  bool optimise_free(Index node, MotionAim aim);
+  bool optimise_crest(Index node, MotionAim aim);
+  bool fan(Index node, std::vector<Index>& sides, std::vector<Index>& diagonals) const;
+  Vec2 winslow(std::span<const Index> sides, std::span<const Index> diagonals) const;
+  Vec2 isoparametric(std::span<const Index> sides, std::span<const Index> diagonals) const;
+  Vec2 length_weighted(Index node) const;
+
+  SurfaceNodes& nodes_;
+  const QuadConnectivity& mesh_;
+  const std::vector<NodeFreedom>& freedom_;
+  CrestLines& crest_;
+  MotionLimits limits_;
+  double last_step_ = 0;
+  std::vector<Index> sides_, diagonals_;
+};
+
+}  // namespace beadmesh

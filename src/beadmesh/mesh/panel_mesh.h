@@ -1,0 +1,27 @@
+// The meshed panel and how each of its beads was meshed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "beadmesh/bead/bead_table.h"
+#include "beadmesh/mesh/element_quality.h"
+#include "beadmesh/mesh/shell_mesh.h"
+
+namespace beadmesh {
+
+/// How a bead was meshed.
+struct BeadMeshing {
+  std::string method;  ///< "blocks", "ridge" or "fallback"
+  int elements = 0;
+  std::vector<std::string> notes;
+};
+
+struct PanelMesh {
+  BeadTable table;
+  std::vector<BeadMeshing> meshing;  ///< per bead
+  ShellMesh mesh;
+  QualitySummary quality;
+};
+
+}  // namespace beadmesh

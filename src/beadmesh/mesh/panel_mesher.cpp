@@ -1,0 +1,334 @@
+#include "beadmesh/mesh/panel_mesher.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <atomic>
+#include <optional>
+
+#include "beadmesh/mesh/bead_mesher.h"
+#include "beadmesh/mesh/chain_counts.h"
+#include "beadmesh/mesh/chain_nodes.h"
+#include "beadmesh/mesh/face_mesher.h"
+#include "beadmesh/panel/chain.h"
+
+namespace beadmesh {
+namespace {
+
+/// Lengths are checked on the facets while meshing, on the exact surface at the end: the difference needs some room.
+constexpr double min_edge_margin = 1.01;
+
+/// The mesh of one face with the way from its nodes to those on the boundary.
+struct FaceMesh {
+  PlanarMesh mesh;
+  std::vector<std::pair<Index, Index>> boundary;  ///< (node of the face, boundary node of the panel)
+  std::vector<std::vector<Index>> crest_lines;
+};
+
+class PanelMesher {
+ public:
+  PanelMesher(const Panel& panel, const StudiedPanel& studied, const PanelMesherOptions& options,
+              const Context& context)
+      : panel_(panel),
+        studied_(studied),
+        options_(options),
+        context_(context),
+        inner_min_edge_(options.min_edge * min_edge_margin),
+        chains_(chains_of(panel)),
+        nodes_(panel, chains_),
+        face_meshes_(panel.faces.size()),
+        bead_of_face_(panel.faces.size(), no_index) {
+    out_.table = studied.table;
+    for (size_t b = 0; b < studied.table.beads.size(); ++b) bead_of_face_[studied.table.beads[b].faces[0]] = Index(b);
+    out_.meshing.resize(studied.table.beads.size());
+  }
+
+  Result<PanelMesh> run() {
+    mesh_beads();
+    place_remaining_chains();
+    mesh_faces();
+    if (context_.is_cancelled()) return fail("mesh.cancelled", "cancelled");
+    assemble();
+    if (out_.mesh.elements.empty()) return fail("mesh.nothing", "no face of the panel could be meshed");
+    return std::move(out_);
+  }
+
+ private:
+  // ---------------------------------------------------------------- beads
+
+  /// Beads that share a chain are done one after the other, in the order of their numbers; groups in parallel.
+  void mesh_beads() {
+    const auto groups = bead_groups();
+    std::vector<std::optional<BeadMesh>> meshes(out_.meshing.size());
+    std::vector<size_t> single, shared;
+    for (size_t g = 0; g < groups.size(); ++g) (groups[g].size() == 1 ? single : shared).push_back(g);
+    tbb::parallel_for(size_t(0), single.size(), [&](size_t i) {
+      const Index b = groups[single[i]][0];
+      meshes[b] = attempt_bead(b, 0);
+    });
+    for (Index b = 0; b < Index(meshes.size()); ++b)
+      if (meshes[b]) accept(b, std::move(*meshes[b]));
+    for (size_t g : shared) {
+      const int around = elements_around(groups[g]);
+      for (Index b : groups[g])
+        if (auto mesh = attempt_bead(b, around)) accept(b, std::move(*mesh));
+    }
+  }
+
+  std::vector<std::vector<Index>> bead_groups() const {
+    const Index n = Index(out_.meshing.size());
+    std::vector<Index> group(n);
+    for (Index b = 0; b < n; ++b) group[b] = b;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const Chain& chain : chains_.chains) {
+        if (chain.faces[0] == no_index || chain.faces[1] == no_index) continue;
+        const Index a = bead_of_face_[chain.faces[0]], b = bead_of_face_[chain.faces[1]];
+        if (a == no_index || b == no_index || group[a] == group[b]) continue;
+        group[a] = group[b] = std::min(group[a], group[b]);
+        changed = true;
+      }
+    }
+    std::vector<std::vector<Index>> groups(n);
+    for (Index b = 0; b < n; ++b) groups[group[b]].push_back(b);
+    groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.empty(); }), groups.end());
+    return groups;
+  }
+
+  /// Rings that share loops share the number of elements around: near the size on the mean, not under the minimum on the
+  /// shortest loop.
+  int elements_around(const std::vector<Index>& beads) const {
+    double shortest = 1e300, sum = 0;
+    int loops = 0;
+    for (Index b : beads)
+      for (const auto& loop : chains_.loops[face_of(b)]) {
+        double length = 0;
+        for (const ChainUse& use : loop) length += chains_.chains[use.chain].length();
+        shortest = std::min(shortest, length);
+        sum += length;
+        ++loops;
+      }
+    const int wanted = int(std::lround(sum / loops / options_.size));
+    const int most = int(shortest / (1.1 * options_.min_edge));
+    return std::max(8, std::min(wanted, most) / 2 * 2);
+  }
+
+  Index face_of(Index bead) const { return studied_.table.beads[bead].faces[0]; }
+
+  bool boundary_is_closed_chains(Index face) const {
+    for (Index l = 0; l < Index(chains_.loops[face].size()); ++l) {
+      if (nodes_.segments_of(face, l).empty()) return false;
+      for (const ChainUse& use : chains_.loops[face][l])
+        if (!chains_.chains[use.chain].closed) return false;
+    }
+    return true;
+  }
+
+  std::optional<BeadMesh> attempt_bead(Index b, int around) {
+    if (context_.is_cancelled()) return std::nullopt;
+    const Index face = face_of(b);
+    BeadMeshing& meshing = out_.meshing[b];
+    if (!boundary_is_closed_chains(face)) {
+      meshing.notes.push_back("its boundary is shared by several faces or has corners");
+      return std::nullopt;
+    }
+    const FaceStudy& study = *studied_.studies[face];
+    BeadMesherOptions options{options_.size, inner_min_edge_, around, {}};
+    for (Index l = 0; l < Index(study.region.loops.size()); ++l) {
+      options.prescribed.emplace_back();
+      for (const LoopNode& node : nodes_.nodes_of_loop(face, l, study.region))
+        options.prescribed.back().push_back(node.position);
+    }
+    auto mesh = mesh_bead(study, *studied_.medials[face], studied_.table.beads[b].kind, options);
+    if (mesh) return std::move(*mesh);
+    meshing.notes.push_back(mesh.error().message);
+    return std::nullopt;
+  }
+
+  void accept(Index b, BeadMesh mesh) {
+    const Index face = face_of(b);
+    const PlanarRegion& region = studied_.studies[face]->region;
+    FaceMesh out;
+    std::vector<BoundaryPosition> fresh;
+    std::vector<Index> fresh_nodes;
+    for (Index l = 0; l < Index(region.loops.size()); ++l) {
+      const auto known = nodes_.nodes_of_loop(face, l, region);
+      for (const BoundaryNode& node : mesh.boundary) {
+        if (node.at.loop != l) continue;
+        if (known.empty()) {
+          fresh.push_back(node.at);
+          fresh_nodes.push_back(node.node);
+        } else {
+          out.boundary.emplace_back(node.node, nearest(known, mesh.mesh.nodes[node.node]));
+        }
+      }
+    }
+    const auto ids = nodes_.place_from_face(face, region, fresh);
+    for (size_t i = 0; i < ids.size(); ++i) out.boundary.emplace_back(fresh_nodes[i], ids[i]);
+    out.crest_lines = std::move(mesh.crest_lines);
+    out_.meshing[b].method = mesh.method;
+    out_.meshing[b].elements = int(mesh.mesh.elements.size());
+    out_.meshing[b].notes = std::move(mesh.notes);
+    out.mesh = std::move(mesh.mesh);
+    face_meshes_[face] = std::move(out);
+  }
+
+  static Index nearest(const std::vector<LoopNode>& nodes, Vec2 p) {
+    const auto best = std::min_element(nodes.begin(), nodes.end(), [&](const LoopNode& a, const LoopNode& b) {
+      return squared_norm(a.flat - p) < squared_norm(b.flat - p);
+    });
+    return best->id;
+  }
+
+  // ---------------------------------------------------------------- the rest
+
+  void place_remaining_chains() {
+    std::vector<int> counts;
+    std::vector<bool> free_faces;
+    for (size_t c = 0; c < chains_.chains.size(); ++c) counts.push_back(nodes_.is_set(Index(c)) ? nodes_.count(Index(c)) : 0);
+    const std::vector<int> before = counts;
+    for (const auto& mesh : face_meshes_) free_faces.push_back(!mesh.has_value());
+    assign_chain_counts(chains_, free_faces, counts, {options_.size, inner_min_edge_});
+    for (size_t c = 0; c < counts.size(); ++c)
+      if (!before[c]) nodes_.place_evenly(Index(c), counts[c]);
+  }
+
+  void mesh_faces() {
+    std::vector<std::string> reasons(panel_.faces.size());
+    std::atomic<int> done = 0;
+    tbb::parallel_for(size_t(0), panel_.faces.size(), [&](size_t f) {
+      if (!face_meshes_[f] && studied_.studies[f] && !context_.is_cancelled()) reasons[f] = mesh_one_face(Index(f));
+      context_.report("mesh", double(++done) / double(panel_.faces.size()));
+    });
+    for (size_t f = 0; f < reasons.size(); ++f) {
+      if (!reasons[f].empty())
+        out_.table.diagnostics.push_back({"mesh.face.failed", Severity::error, panel_.faces[f].number, "", reasons[f],
+                                          "the face is missing in the mesh"});
+      if (bead_of_face_[f] != no_index && out_.meshing[bead_of_face_[f]].method.empty())
+        note_fallback(bead_of_face_[f], face_meshes_[f] ? int(face_meshes_[f]->mesh.elements.size()) : 0);
+    }
+  }
+
+  void note_fallback(Index b, int elements) {
+    BeadMeshing& meshing = out_.meshing[b];
+    meshing.method = "fallback";
+    meshing.elements = elements;
+    std::string why;
+    for (const std::string& note : meshing.notes) why += (why.empty() ? "" : "; ") + note;
+    out_.table.diagnostics.push_back({"mesh.bead.fallback", Severity::warning, panel_.faces[face_of(b)].number,
+                                      "bead " + std::to_string(studied_.table.beads[b].id),
+                                      "meshed as an ordinary face: " + why, ""});
+  }
+
+  /// Empty where it went well, else the reason.
+  std::string mesh_one_face(Index face) {
+    const FaceStudy& study = *studied_.studies[face];
+    NodeLoops loops;
+    FaceMesh out;
+    for (Index l = 0; l < Index(study.region.loops.size()); ++l) {
+      const auto nodes = nodes_.nodes_of_loop(face, l, study.region);
+      if (nodes.size() < 3) return "a boundary loop has no room for three nodes";
+      loops.loops.emplace_back();
+      for (const LoopNode& node : nodes) {
+        const Index local = Index(loops.nodes.size());
+        loops.nodes.push_back(node.flat);
+        loops.loops.back().push_back(local);
+        out.boundary.emplace_back(local, node.id);
+      }
+    }
+    auto mesh = mesh_face(loops, *study.map, {options_.size, inner_min_edge_});
+    if (!mesh) return mesh.error().message;
+    out.mesh = std::move(*mesh);
+    face_meshes_[face] = std::move(out);
+    return {};
+  }
+
+  // ---------------------------------------------------------------- the whole
+
+  void assemble() {
+    ShellMesh& shell = out_.mesh;
+    shell.title = panel_.input;
+    std::vector<Index> used(nodes_.points().size(), no_index);
+    for (size_t f = 0; f < face_meshes_.size(); ++f)
+      if (face_meshes_[f]) add_face(Index(f), used);
+    for (BeadSet& set : shell.beads) {
+      std::sort(set.crest_nodes.begin(), set.crest_nodes.end());
+      set.crest_nodes.erase(std::unique(set.crest_nodes.begin(), set.crest_nodes.end()), set.crest_nodes.end());
+    }
+    std::vector<MeshElement> elements;
+    for (const ShellElement& element : shell.elements) elements.push_back(element.nodes);
+    out_.quality = summarise(shell.nodes, elements, options_.min_edge);
+  }
+
+  void add_face(Index face, std::vector<Index>& used) {
+    const FaceMesh& mesh = *face_meshes_[face];
+    ShellMesh& shell = out_.mesh;
+    std::vector<Index> global(mesh.mesh.nodes.size(), no_index);
+    for (const auto& [local, id] : mesh.boundary) {
+      if (used[id] == no_index) {
+        used[id] = Index(shell.nodes.size());
+        shell.nodes.push_back(nodes_.points()[id]);
+      }
+      global[local] = used[id];
+    }
+    const SurfaceMap& map = *studied_.studies[face]->map;
+    Index hint = no_index;
+    for (size_t n = 0; n < global.size(); ++n) {
+      if (global[n] != no_index) continue;
+      const FacetPoint at = map.locate(mesh.mesh.nodes[n], hint);
+      hint = at.triangle;
+      global[n] = Index(shell.nodes.size());
+      shell.nodes.push_back(map.surface_point(at));
+    }
+    const Index b = bead_of_face_[face];
+    const Index part = part_of(b);
+    const Index first = Index(shell.elements.size());
+    for (MeshElement element : mesh.mesh.elements) {
+      for (Index& n : element)
+        if (n != no_index) n = global[n];
+      shell.elements.push_back(
+          {element, part, panel_.faces[face].number, b == no_index ? 0 : studied_.table.beads[b].id});
+    }
+    if (b != no_index) add_set(b, mesh, global, first);
+  }
+
+  void add_set(Index b, const FaceMesh& mesh, const std::vector<Index>& global, Index first) {
+    const Bead& bead = studied_.table.beads[b];
+    BeadSet set{bead.id, name_of(bead.kind), bead.shape, {}, {}};
+    for (Index e = first; e < Index(out_.mesh.elements.size()); ++e) set.elements.push_back(e);
+    for (const auto& line : mesh.crest_lines)
+      for (Index n : line) set.crest_nodes.push_back(global[n]);
+    out_.mesh.beads.push_back(std::move(set));
+  }
+
+  /// One property a kind of region, made when first needed.
+  Index part_of(Index b) {
+    const std::string name = b == no_index ? "sheet" : "bead_" + name_of(studied_.table.beads[b].kind);
+    auto& parts = out_.mesh.parts;
+    for (size_t p = 0; p < parts.size(); ++p)
+      if (parts[p].name == name) return Index(p);
+    parts.push_back({Index(parts.size()) + 1, name, options_.thickness});
+    return Index(parts.size()) - 1;
+  }
+
+  const Panel& panel_;
+  const StudiedPanel& studied_;
+  PanelMesherOptions options_;
+  const Context& context_;
+  double inner_min_edge_;
+  ChainSet chains_;
+  ChainNodes nodes_;
+  std::vector<std::optional<FaceMesh>> face_meshes_;
+  std::vector<Index> bead_of_face_;
+  PanelMesh out_;
+};
+
+}  // namespace
+
+Result<PanelMesh> mesh_studied_panel(const Panel& panel, const StudiedPanel& studied,
+                                     const PanelMesherOptions& options, const Context& context) {
+  return PanelMesher(panel, studied, options, context).run();
+}
+
+}  // namespace beadmesh

@@ -1,0 +1,214 @@
+#include "beadmesh/mesh/patch_replacement.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "beadmesh/mesh/patch_fill.h"
+
+namespace beadmesh {
+namespace {
+
+/// A disc of quads that grows; its outline, and how many of its quads each outline node has.
+class Patch {
+ public:
+  Patch(const MeshEditor& editor, int max_quads)
+      : editor_(editor), mesh_(editor.mesh()), max_quads_(max_quads) {}
+
+  const std::vector<Index>& quads() const { return quads_; }
+  const std::vector<Index>& loop() const { return loop_; }
+  int inside_count(Index node) const {
+    int count = 0;
+    for (const Index e : mesh_.star(node)) count += contains(e);
+    return count;
+  }
+  std::vector<Index> inner_nodes() const {
+    std::vector<Index> nodes;
+    for (const Index e : quads_)
+      for (const Index node : mesh_.element(e))
+        if (!std::binary_search(sorted_loop_.begin(), sorted_loop_.end(), node)) nodes.push_back(node);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+  /// Adds all quads around the node, then closes inward corners. False where that is no patch any more.
+  bool start(Index seed) { return add_all(mesh_.star(seed)) && close(); }
+  /// Adds a ring of quads.
+  bool grow_ring() {
+    std::vector<Index> ring;
+    for (const Index node : loop_)
+      for (const Index e : mesh_.star(node)) ring.push_back(e);
+    return add_all(ring) && close();
+  }
+
+ private:
+  bool contains(Index quad) const { return std::binary_search(quads_.begin(), quads_.end(), quad); }
+
+  bool add_all(const std::vector<Index>& quads) {
+    for (const Index e : quads)
+      if (!is_quad(mesh_.element(e))) return false;
+    quads_.insert(quads_.end(), quads.begin(), quads.end());
+    std::sort(quads_.begin(), quads_.end());
+    quads_.erase(std::unique(quads_.begin(), quads_.end()), quads_.end());
+    return quads_.size() <= max_quads_;
+  }
+
+  /// Adds the last quad outside at outline nodes until none is left.
+  bool close() {
+    while (true) {
+      if (!trace()) return false;
+      std::vector<Index> missing;
+      for (const Index node : loop_) {
+        const int inside = inside_count(node), outside = mesh_.valence(node) - inside;
+        if (outside != 1 || (editor_.is_boundary(node) && inside < 3)) continue;
+        for (const Index e : mesh_.star(node))
+          if (!contains(e)) missing.push_back(e);
+      }
+      if (missing.empty()) return inside_is_free();
+      if (!add_all(missing)) return false;
+    }
+  }
+
+  /// The outline as one counter-clockwise loop that meets no node twice.
+  bool trace() {
+    std::vector<std::pair<Index, Index>> edges, outline;
+    for (const Index e : quads_)
+      for (int i = 0; i < 4; ++i) edges.emplace_back(mesh_.element(e)[i], mesh_.element(e)[(i + 1) % 4]);
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [a, b] : edges)
+      if (!std::binary_search(edges.begin(), edges.end(), std::pair{b, a})) outline.emplace_back(a, b);
+    for (size_t i = 1; i < outline.size(); ++i)
+      if (outline[i].first == outline[i - 1].first) return false;
+    loop_.clear();
+    Index node = outline.front().first;
+    do {
+      loop_.push_back(node);
+      const auto at = std::lower_bound(outline.begin(), outline.end(), std::pair{node, no_index});
+      if (at == outline.end() || at->first != node) return false;
+      node = at->second;
+    } while (node != loop_.front() && loop_.size() <= outline.size());
+    sorted_loop_ = loop_;
+    std::sort(sorted_loop_.begin(), sorted_loop_.end());
+    return loop_.size() == outline.size();
+  }
+
+  bool inside_is_free() const {
+    for (const Index node : inner_nodes())
+      if (!editor_.is_free(node) || editor_.is_boundary(node)) return false;
+    return true;
+  }
+
+  const MeshEditor& editor_;
+  const QuadConnectivity& mesh_;
+  size_t max_quads_;
+  std::vector<Index> quads_, loop_, sorted_loop_;
+};
+
+struct CornerChoice {
+  double penalty;
+  std::vector<int> corners;
+};
+
+/// Where the outline's corners may be: what each node costs as a corner (one quad inside) or on a side (two).
+class CornerSearch {
+ public:
+  CornerSearch(const MeshEditor& editor, const Patch& patch) : size_(static_cast<int>(patch.loop().size())) {
+    for (const Index node : patch.loop()) {
+      const int outside = editor.mesh().valence(node) - patch.inside_count(node);
+      const double side = editor.penalty(node, outside + 2);
+      flat_ += side;
+      change_.push_back(editor.penalty(node, outside + 1) - side);
+    }
+  }
+
+  /// Fillable choices with a penalty below `limit`, best first: natural corners, and up to two changes to
+  /// them.
+  std::vector<CornerChoice> run(double limit) {
+    limit_ = limit;
+    std::vector<int> natural;
+    for (int i = 0; i < size_; ++i)
+      if (change_[i] < 0) natural.push_back(i);
+    if (natural.size() < 2 || natural.size() > 7) return {};
+    vary(natural, 2);
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.penalty < b.penalty; });
+    return std::move(found_);
+  }
+
+ private:
+  double penalty_of(const std::vector<int>& corners) const {
+    double penalty = flat_ + (corners.size() == 4 ? 0 : 1);
+    for (const int corner : corners) penalty += change_[corner];
+    return penalty;
+  }
+
+  void vary(const std::vector<int>& corners, int changes) {
+    consider(corners);
+    if (changes == 0) return;
+    const bool local = changes == 1;
+    for (size_t i = 0; i < corners.size(); ++i) {
+      std::vector<int> fewer = corners;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      if (!local) vary(fewer, 0);
+      // Another node instead: any on the first change, near ones on the second.
+      for (int other = 0; other < size_; ++other) {
+        const int gap = std::abs(other - corners[i]), shift = std::min(gap, size_ - gap);
+        if (shift <= 4) vary_with(fewer, other, changes - 1);
+      }
+    }
+    if (!local && corners.size() < 5)
+      for (int other = 0; other < size_; ++other) vary_with(corners, other, 0);
+  }
+
+  void vary_with(std::vector<int> corners, int added, int changes) {
+    const auto at = std::lower_bound(corners.begin(), corners.end(), added);
+    if (at != corners.end() && *at == added) return;
+    corners.insert(at, added);
+    if (penalty_of(corners) < limit_) vary(corners, changes);
+  }
+
+  void consider(const std::vector<int>& corners) {
+    if (corners.size() < 3 || corners.size() > 5) return;
+    const double penalty = penalty_of(corners);
+    if (penalty >= limit_) return;
+    std::array<int, 5> sides;
+    for (size_t i = 0; i < corners.size(); ++i)
+      sides[i] = i + 1 < corners.size() ? corners[i + 1] - corners[i] : corners[0] - corners[i] + size_;
+    if (patch_divisions({sides.data(), corners.size()})) found_.push_back({penalty, corners});
+  }
+
+  int size_;
+  double flat_ = 0, limit_ = 0;
+  std::vector<double> change_;
+  std::vector<CornerChoice> found_;
+};
+
+bool fill_anew(MeshEditor& editor, const Patch& patch, std::vector<Index>& touched) {
+  double penalty = 0;
+  for (const Index node : patch.inner_nodes()) penalty += editor.penalty(node);
+  for (const Index node : patch.loop()) penalty += editor.penalty(node);
+  if (penalty < 1.5) return false;
+  const std::vector<CornerChoice> choices = CornerSearch(editor, patch).run(penalty - 0.5);
+  std::vector<Vec2> positions;
+  for (const Index node : patch.loop()) positions.push_back(editor.nodes().flat(node));
+  for (size_t i = 0; i < std::min<size_t>(2, choices.size()); ++i) {
+    PatchFill fill = fill_patch(patch.loop(), positions, choices[i].corners, editor.mesh().node_count());
+    Replacement edit{patch.quads(), std::move(fill.new_nodes), std::move(fill.quads), {}};
+    if (editor.try_replace(edit, EditAim::fewer_irregular, touched)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool replace_patch(MeshEditor& editor, Index seed, const PatchOptions& options, std::vector<Index>& touched) {
+  if (!editor.is_irregular(seed) || editor.is_boundary(seed)) return false;
+  Patch patch(editor, options.max_quads);
+  if (!patch.start(seed)) return false;
+  do {
+    if (fill_anew(editor, patch, touched)) return true;
+  } while (patch.grow_ring());
+  return false;
+}
+
+}  // namespace beadmesh

@@ -1,0 +1,164 @@
+#include "beadmesh/mesh/smoothing.h"
+
+#include <algorithm>
+
+#include "beadmesh/mesh/node_motion.h"
+
+namespace beadmesh {
+namespace {
+
+/// The sheet is written with nodes on the exact surface, up to a sagitta off the facets that lengths are
+/// measured on.
+constexpr double min_edge_margin = 1.005;
+
+/// Shape and edge length of the whole mesh, one stage of node movements after the other.
+class Smoother {
+ public:
+  Smoother(PlanarMesh& mesh, const SurfaceMap* map, const std::vector<std::vector<Index>>& crest_lines,
+           const SmoothingOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        nodes_(mesh.nodes, map),
+        connectivity_(mesh),
+        crest_(crest_lines, mesh.nodes, mesh.freedom),
+        motion_(nodes_, connectivity_, mesh.freedom, crest_,
+                {options.size, options.min_edge * min_edge_margin, 0.7}) {}
+
+  SmoothingReport run() {
+    untangle();
+    sweep(all_nodes(), options_.variational_passes, 1.0, [&](Index node) { return motion_.relax(node); });
+    sweep(all_nodes(), options_.optimisation_passes, 0.97,
+          [&](Index node) { return motion_.optimise(node, MotionAim::mean); });
+    sweep(nodes_of_worst(0.75), options_.optimisation_passes, 0.75,
+          [&](Index node) { return motion_.optimise(node, MotionAim::worst); });
+    lengthen_short_edges();
+    for (size_t node = 0; node < mesh_.nodes.size(); ++node)
+      mesh_.nodes[node] = nodes_.flat(static_cast<Index>(node));
+    return report();
+  }
+
+ private:
+  std::vector<Index> all_nodes() const {
+    std::vector<Index> nodes;
+    for (Index node = 0; node < connectivity_.node_count(); ++node)
+      if (motion_.is_movable(node) && !connectivity_.star(node).empty()) nodes.push_back(node);
+    return nodes;
+  }
+
+  /// Movable corners of the elements of the given nodes, the nodes among them, ascending.
+  std::vector<Index> widened(const std::vector<Index>& nodes) const {
+    std::vector<bool> marked(connectivity_.node_count(), false);
+    for (const Index node : nodes)
+      for (const Index e : connectivity_.star(node))
+        for (int i = 0; i < corner_count(connectivity_.element(e)); ++i)
+          marked[connectivity_.element(e)[i]] = true;
+    return movable(marked);
+  }
+
+  std::vector<Index> movable(const std::vector<bool>& marked) const {
+    std::vector<Index> result;
+    for (Index node = 0; node < connectivity_.node_count(); ++node)
+      if (marked[node] && motion_.is_movable(node)) result.push_back(node);
+    return result;
+  }
+
+  std::vector<Index> nodes_of_worst(double below) const {
+    std::vector<bool> marked(connectivity_.node_count(), false);
+    for (const MeshElement& element : mesh_.elements)
+      if (signed_quality(nodes_, element) < below)
+        for (int i = 0; i < corner_count(element); ++i) marked[element[i]] = true;
+    return movable(marked);
+  }
+
+  /// Gauss-Seidel in the order of the node numbers. After a pass only what moved, and its neighbours, are
+  /// visited again.
+  template <class Move>
+  void sweep(std::vector<Index> active, int passes, double good_enough, Move move) {
+    const double still = 5e-3 * options_.size;
+    for (int pass = 0; pass < passes && !active.empty(); ++pass) {
+      std::vector<Index> moved;
+      for (const Index node : active) {
+        if (good_enough < 1 && motion_.worst_around(node) > good_enough && motion_.shortfall(node) <= 0)
+          continue;
+        if (move(node) && motion_.last_step() > still) moved.push_back(node);
+      }
+      active = widened(moved);
+    }
+  }
+
+  /// Rounds over the nodes of elements that are turned over; the circle of nodes widens while they do not
+  /// come right.
+  void untangle() {
+    std::vector<Index> tangled = nodes_of_worst(0.02);
+    for (int round = 0; round < 40 && !tangled.empty(); ++round) {
+      std::vector<Index> circle = tangled;
+      for (int ring = 0; ring < round / 5; ++ring) circle = widened(circle);
+      for (const Index node : circle) motion_.untangle(node);
+      tangled = nodes_of_worst(0.02);
+    }
+  }
+
+  void lengthen_short_edges() {
+    for (int round = 0; round < 25; ++round) {
+      std::vector<Index> nodes = nodes_of_short_edges();
+      if (nodes.empty()) return;
+      bool moved = false;
+      for (int ring = 0; ring <= std::min(round / 4, 3); ++ring) {
+        for (const Index node : nodes) moved |= motion_.optimise(node, MotionAim::edges);
+        nodes = widened(nodes);
+      }
+      if (!moved) return;
+    }
+  }
+
+  std::vector<Index> nodes_of_short_edges() const {
+    std::vector<bool> marked(connectivity_.node_count(), false);
+    for (Index node = 0; node < connectivity_.node_count(); ++node)
+      if (motion_.is_movable(node) && motion_.shortfall(node) > 0) marked[node] = true;
+    return movable(marked);
+  }
+
+  SmoothingReport report() const {
+    SmoothingReport report;
+    report.scaled_jacobian_min = mesh_.elements.empty() ? 0 : 1;
+    double sum = 0;
+    for (const MeshElement& element : mesh_.elements) {
+      const double quality = signed_quality(nodes_, element);
+      report.scaled_jacobian_min = std::min(report.scaled_jacobian_min, quality);
+      sum += quality;
+      if (quality <= 0) ++report.inverted;
+    }
+    if (!mesh_.elements.empty())
+      report.scaled_jacobian_mean = sum / static_cast<double>(mesh_.elements.size());
+    report.edges_below_min = count_short_edges();
+    return report;
+  }
+
+  int count_short_edges() const {
+    int count = 0;
+    for (const MeshElement& element : mesh_.elements)
+      for (int i = 0; i < corner_count(element); ++i) {
+        const Index a = element[i], b = element[(i + 1) % corner_count(element)];
+        // An inner edge is met from both sides, a boundary edge once.
+        if (a > b && connectivity_.element_with_edge(b, a) != no_index) continue;
+        if (distance(nodes_.space(a), nodes_.space(b)) < options_.min_edge * (1 - 1e-6)) ++count;
+      }
+    return count;
+  }
+
+  PlanarMesh& mesh_;
+  const SmoothingOptions options_;
+  SurfaceNodes nodes_;
+  QuadConnectivity connectivity_;
+  CrestLines crest_;
+  NodeMotion motion_;
+};
+
+}  // namespace
+
+SmoothingReport smooth(PlanarMesh& mesh, const SurfaceMap* map,
+                       const std::vector<std::vector<Index>>& crest_lines, const SmoothingOptions& options) {
+  return Smoother(mesh, map, crest_lines, options).run();
+}
+
+}  // namespace beadmesh

@@ -1,0 +1,61 @@
+// The faceted B-rep that flows through the pipeline: points, edges and faces that share them watertight.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "beadmesh/core/diagnostic.h"
+#include "beadmesh/core/vector.h"
+#include "beadmesh/panel/facets.h"
+
+namespace beadmesh {
+
+/// The exact curve under an edge. Const calls are safe from several threads.
+class CurveEvaluator {
+ public:
+  virtual ~CurveEvaluator() = default;
+  virtual Vec3 point(double t) const = 0;
+};
+
+/// An edge of the B-rep, facetted once for all faces around it.
+struct PanelEdge {
+  std::vector<Index> points;       ///< indices into Panel::points, at least 2; first == last for a closed edge
+  std::vector<double> parameters;  ///< curve parameter of each point, monotone; empty without a curve
+  std::shared_ptr<const CurveEvaluator> curve;  ///< null: the polyline is all there is
+  std::vector<Index> faces;        ///< faces around it, one entry a use: 1 = free edge, 2 = inner, > 2 non-manifold
+};
+
+struct EdgeUse {
+  Index edge = no_index;
+  bool reversed = false;
+};
+
+struct PanelFace {
+  std::vector<std::vector<EdgeUse>> loops;  ///< head to tail, face on the left; the outer loop first
+  Facets facets;       ///< of this face alone: facets.loops[i] runs through the points of loops[i]
+  Index number = 0;    ///< 1-based, in the order of the input file
+  std::string name;    ///< from the file; may be empty
+};
+
+/// All lengths in mm. Orientation of the faces is consistent across shared edges of each connected piece.
+struct Panel {
+  std::vector<Vec3> points;
+  std::vector<PanelEdge> edges;
+  std::vector<PanelFace> faces;
+  std::string input;                     ///< file name, for reports
+  std::string unit = "mm";               ///< unit of the file; coordinates are converted to mm
+  std::vector<Diagnostic> diagnostics;   ///< what the reader mended or left out
+};
+
+/// Joins the facets of connected faces into one piece (a composite face); its loops are those edges that have
+/// only one side in `faces`. A seam of a closed face stays a pair of boundary stretches only in the face's own facets.
+Facets facets_of(const Panel& panel, const std::vector<Index>& faces);
+
+/// Checks every invariant stated above. Returns the violations, in words; empty where all hold.
+std::vector<std::string> verify_panel(const Panel& panel);
+
+/// Length of the diagonal of the bounding box, mm.
+double diagonal(const Panel& panel);
+
+}  // namespace beadmesh

@@ -1,0 +1,140 @@
+#include "beadmesh/pipeline.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <optional>
+
+#include "beadmesh/bead/face_study.h"
+#include "beadmesh/mesh/panel_mesher.h"
+
+namespace beadmesh {
+namespace {
+
+/// What one face came to; written by one thread each.
+struct FaceOutcome {
+  std::unique_ptr<FaceStudy> study;
+  std::unique_ptr<MedialObject> medial;
+  std::optional<Bead> bead;
+  std::string reason;                    ///< why it is no bead
+  std::optional<Diagnostic> diagnostic;  ///< what went wrong on the way
+};
+
+Diagnostic at_face(Diagnostic diagnostic, const Panel& panel, Index face, Severity severity) {
+  diagnostic.face = panel.faces[face].number;
+  diagnostic.severity = severity;
+  return diagnostic;
+}
+
+/// Sections 3.1 to 4.1 for one face: flatten, medial object, bead rule.
+FaceOutcome study_one(const Panel& panel, Index face, const BeadOptions& options) {
+  FaceOutcome out;
+  auto study = study_faces(panel, {face});
+  if (!study) {
+    out.reason = "cannot be laid flat: " + study.error().message;
+    out.diagnostic = at_face(study.error(), panel, face, Severity::error);
+    return out;
+  }
+  out.study = std::move(*study);
+  if (const auto boundary = check_boundary(*out.study, options); !boundary) {
+    out.reason = boundary.error().message;
+    return out;
+  }
+  auto medial = medial_object(out.study->region);
+  if (!medial) {
+    out.reason = "no medial object: " + medial.error().message;
+    out.diagnostic = at_face(medial.error(), panel, face, Severity::warning);
+    return out;
+  }
+  out.medial = std::make_unique<MedialObject>(std::move(*medial));
+  auto bead = recognise(*out.study, *out.medial, options);
+  if (bead)
+    out.bead = std::move(*bead);
+  else
+    out.reason = bead.error().message;
+  return out;
+}
+
+FaceMedial lifted(const FaceStudy& study, const MedialObject& medial, Index number) {
+  FaceMedial out;
+  out.face = number;
+  out.region = study.region;
+  out.object = medial;
+  for (const MedialVertex& vertex : medial.vertices) {
+    out.vertex_points.push_back(study.lift(vertex.point));
+    out.vertex_feet.emplace_back();
+    for (const Foot& foot : vertex.touching_points) out.vertex_feet.back().push_back(study.lift(foot.point));
+  }
+  for (const MedialEdge& edge : medial.edges) {
+    out.edge_points.emplace_back();
+    out.edge_feet.emplace_back();
+    for (const MedialPoint& p : edge.points) {
+      out.edge_points.back().push_back(study.lift(p.point));
+      out.edge_feet.back().push_back({study.lift(p.feet[0].point), study.lift(p.feet[1].point)});
+    }
+  }
+  return out;
+}
+
+/// All faces in parallel; the table in the order of the faces.
+StudiedPanel study_panel(const Panel& panel, const BeadOptions& options, const Context& context) {
+  std::vector<FaceOutcome> outcomes(panel.faces.size());
+  std::atomic<int> done = 0;
+  tbb::parallel_for(size_t(0), outcomes.size(), [&](size_t f) {
+    if (!context.is_cancelled()) outcomes[f] = study_one(panel, Index(f), options);
+    context.report("recognise", double(++done) / double(outcomes.size()));
+  });
+  StudiedPanel studied;
+  studied.table.diagnostics = panel.diagnostics;
+  for (size_t f = 0; f < outcomes.size(); ++f) {
+    FaceOutcome& face = outcomes[f];
+    const Index number = panel.faces[f].number;
+    if (face.bead) {
+      face.bead->id = Index(studied.table.beads.size()) + 1;
+      studied.table.medials.push_back(lifted(*face.study, *face.medial, number));
+      studied.table.beads.push_back(std::move(*face.bead));
+    } else {
+      studied.table.faces_not_beads.push_back({number, face.reason});
+    }
+    if (face.diagnostic) studied.table.diagnostics.push_back(*face.diagnostic);
+    studied.studies.push_back(std::move(face.study));
+    studied.medials.push_back(std::move(face.medial));
+  }
+  return studied;
+}
+
+/// Limits the threads of everything below while it lives.
+class JobLimit {
+ public:
+  explicit JobLimit(int jobs) {
+    if (jobs > 0) control_.emplace(tbb::global_control::max_allowed_parallelism, size_t(jobs));
+  }
+
+ private:
+  std::optional<tbb::global_control> control_;
+};
+
+}  // namespace
+
+BeadTable recognise_beads(const Panel& panel, const BeadOptions& options, const Context& context) {
+  const JobLimit limit(context.jobs);
+  return study_panel(panel, options, context).table;
+}
+
+Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const BeadOptions& options,
+                             const Context& context) {
+  const JobLimit limit(context.jobs);
+  const StudiedPanel studied = study_panel(panel, options, context);
+  return mesh_studied_panel(panel, studied, {sizes.size, sizes.min_edge, sizes.thickness}, context);
+}
+
+Result<FaceMedial> medial_of_face(const Panel& panel, Index face) {
+  const auto study = study_faces(panel, {face});
+  if (!study) return tl::unexpected(at_face(study.error(), panel, face, Severity::error));
+  const auto medial = medial_object((*study)->region);
+  if (!medial) return tl::unexpected(at_face(medial.error(), panel, face, Severity::error));
+  return lifted(**study, *medial, panel.faces[face].number);
+}
+
+}  // namespace beadmesh

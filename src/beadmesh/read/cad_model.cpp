@@ -1,0 +1,130 @@
+#include "beadmesh/read/cad_model.h"
+
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <fstream>
+#include <functional>
+
+#include "beadmesh/read/input_file.h"
+
+namespace beadmesh {
+namespace {
+
+using NameOf = std::function<std::string(const TopoDS_Face&)>;
+
+Failure truncated(const std::filesystem::path& path, std::string message) {
+  return fail("read.truncated", std::move(message), "export the file again", path.filename().string());
+}
+
+Failure unreadable(const std::filesystem::path& path, std::string message) {
+  return fail("read.unreadable", std::move(message), {}, path.filename().string());
+}
+
+void list_faces(const TopoDS_Shape& shape, const NameOf& name_of_face, CadModel& model) {
+  TopTools_MapOfShape seen;
+  for (TopExp_Explorer at(shape, TopAbs_FACE); at.More(); at.Next()) {
+    if (!seen.Add(at.Current())) continue;
+    model.faces.push_back(TopoDS::Face(at.Current()));
+    model.names.push_back(name_of_face ? name_of_face(model.faces.back()) : std::string());
+  }
+}
+
+std::string step_name(const Handle(XSControl_TransferReader) & transfer, const TopoDS_Face& face) {
+  const auto item =
+      Handle(StepRepr_RepresentationItem)::DownCast(transfer->EntityFromShapeResult(face, 1));
+  if (item.IsNull() || item->Name().IsNull()) return {};
+  const std::string name = item->Name()->ToCString();
+  return name == "NONE" ? std::string() : name;
+}
+
+Result<CadModel> load_step(const std::filesystem::path& path) {
+  if (!tail_contains(path, "END-ISO-10303-21"))
+    return truncated(path, "the file ends before END-ISO-10303-21");
+  STEPControl_Reader reader;
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
+    return unreadable(path, "the file is not a readable STEP file");
+  CadModel model;
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  if (!lengths.IsEmpty()) model.unit = lengths.First().ToCString();
+  reader.TransferRoots();
+  const TopoDS_Shape shape = reader.OneShape();
+  if (shape.IsNull()) return model;
+  const Handle(XSControl_TransferReader) transfer = reader.WS()->TransferReader();
+  list_faces(shape, [&](const TopoDS_Face& face) { return step_name(transfer, face); }, model);
+  return model;
+}
+
+Result<CadModel> load_iges(const std::filesystem::path& path) {
+  IGESControl_Reader reader;
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  if (!iges_is_complete(path)) return truncated(path, "the file has no terminate section");
+  if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
+    return unreadable(path, "the file is not a readable IGES file");
+  CadModel model;
+  const Handle(IGESData_IGESModel) file = reader.IGESModel();
+  if (file.IsNull()) return unreadable(path, "the file is not a readable IGES file");
+  if (!file->GlobalSection().UnitName().IsNull())
+    model.unit = file->GlobalSection().UnitName()->ToCString();
+  reader.TransferRoots();
+  const TopoDS_Shape shape = reader.OneShape();
+  if (!shape.IsNull()) list_faces(shape, {}, model);
+  return model;
+}
+
+Result<CadModel> load_brep(const std::filesystem::path& path, const std::string& unit) {
+  const std::optional<double> factor = millimetres_per(unit);
+  if (!factor)
+    return fail("read.unit", "the unit '" + unit + "' is unknown", "use mm, cm, m, um, in or ft", path.filename().string());
+  TopoDS_Shape shape;
+  std::ifstream stream(path, std::ios::binary);
+  if (head_contains(path, "Open CASCADE Topology")) {
+    BinTools::Read(shape, stream);
+  } else {
+    if (!head_contains(path, "DBRep_DrawableShape") && !head_contains(path, "CASCADE Topology"))
+      return unreadable(path, "the file is not a BREP file");
+    BRepTools::Read(shape, stream, BRep_Builder());
+  }
+  if (shape.IsNull()) return truncated(path, "the file holds no whole shape");
+  if (*factor != 1) {
+    gp_Trsf scale;
+    scale.SetScale(gp_Pnt(0, 0, 0), *factor);
+    shape = BRepBuilderAPI_Transform(shape, scale, true).Shape();
+  }
+  CadModel model;
+  model.unit = unit;
+  list_faces(shape, {}, model);
+  return model;
+}
+
+}  // namespace
+
+Result<CadModel> load_cad_model(const std::filesystem::path& path, const ReadOptions& options) {
+  const FileKind kind = file_kind(path);
+  Result<CadModel> model = kind == FileKind::step   ? load_step(path)
+                           : kind == FileKind::iges ? load_iges(path)
+                                                    : load_brep(path, options.unit);
+  if (model && model->faces.empty())
+    return fail("read.no_faces", "the file has no faces", "export the surfaces, not only curves or products",
+                path.filename().string());
+  return model;
+}
+
+}  // namespace beadmesh

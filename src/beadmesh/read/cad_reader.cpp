@@ -1,0 +1,62 @@
+#include "beadmesh/read/cad_reader.h"
+
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <Standard_Failure.hxx>
+#include <exception>
+#include <mutex>
+
+#include "beadmesh/read/cad_facets.h"
+#include "beadmesh/read/cad_model.h"
+#include "beadmesh/read/cad_panel.h"
+
+namespace beadmesh {
+namespace {
+
+/// OpenCASCADE's readers keep process-wide settings, so only one may read at a time.
+std::mutex& reader_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
+  const std::lock_guard lock(reader_mutex());
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+  context.report("read", 0);
+  Result<CadModel> model = load_cad_model(path, options);
+  if (!model) return Failure(model.error());
+  sew(*model, options.sew_tolerance);
+  context.report("read", 0.5);
+  CadTopology topology = topology_of(*model);
+  const std::vector<FaceNodes> faces = facet_faces(topology, options, context);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (faces[f].loop_crosses)
+      return fail("read.face.loop_crosses", faces[f].defect, "repair the face in the CAD system",
+                  path.filename().string(), static_cast<Index>(f) + 1);
+  Panel panel = assemble_panel(*model, topology, faces);
+  panel.input = path.filename().string();
+  if (panel.faces.empty())
+    return fail("read.no_sound_face", "none of the faces can be facetted", "repair the faces in the CAD system",
+                path.filename().string());
+  context.report("read", 1);
+  return panel;
+}
+
+}  // namespace
+
+Result<Panel> read_cad_panel(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
+  std::string what;
+  try {
+    return read_unguarded(path, options, context);
+  } catch (const Standard_Failure& failure) {
+    what = failure.GetMessageString();
+    if (what.empty()) what = failure.DynamicType()->Name();
+  } catch (const std::exception& failure) {
+    what = failure.what();
+  }
+  return fail("read.unreadable", "the file cannot be read: " + what.substr(0, what.find('\n')), {},
+              path.filename().string());
+}
+
+}  // namespace beadmesh

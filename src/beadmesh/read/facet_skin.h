@@ -1,0 +1,16 @@
+// Inside the read room: loose triangles become a panel.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "beadmesh/panel/panel.h"
+
+namespace beadmesh {
+
+/// Welds corners closer than 1e-6 of the size, orients the triangles alike, and makes one face of each region in which
+/// neighbours turn by at most `feature_angle` (radians). Edges run between regions and along free or branching
+/// borders, from one point where more than two such lines meet, or where they turn sharply, to the next.
+Panel panel_of_facets(const std::vector<std::array<Vec3, 3>>& facets, double feature_angle);
+
+}  // namespace beadmesh

@@ -1,0 +1,86 @@
+#include "beadmesh/write/bead_json.h"
+
+#include "beadmesh/write/json_lines.h"
+
+namespace beadmesh {
+namespace {
+
+using json::number;
+using json::Value;
+
+Value faces_of(const Panel& panel, const Bead& bead) {
+  Value list = Value::array();
+  for (const Index face : bead.faces) list.push_back(panel.faces.at(face).number);
+  return list;
+}
+
+Value ridge_of(const Bead& bead) {
+  Value list = Value::array();
+  for (const RidgeCurve& curve : bead.ridge) {
+    Value line = json::polyline(curve.points);
+    if (curve.closed && curve.points.size() > 1 && curve.points.front() != curve.points.back())
+      line.push_back(line.front());
+    list.push_back(std::move(line));
+  }
+  return list;
+}
+
+Value row_of(const Panel& panel, const Bead& bead) {
+  return {{"id", bead.id},
+          {"kind", name_of(bead.kind)},
+          {"shape", bead.shape},
+          {"faces", faces_of(panel, bead)},
+          {"point", json::point(bead.point)},
+          {"loops", bead.loops},
+          {"length", number(bead.length)},
+          {"width", number(bead.width)},
+          {"height", number(bead.height)},
+          {"aspect_ratio", number(bead.aspect_ratio)},
+          {"junctions", bead.junctions},
+          {"ends", bead.ends},
+          {"medial_edges", bead.medial_edges},
+          {"ridge", ridge_of(bead)}};
+}
+
+Value meshing_of(const BeadMeshing& meshing) {
+  Value notes = Value::array();
+  for (const std::string& note : meshing.notes) notes.push_back(note);
+  return {{"method", meshing.method}, {"elements", meshing.elements}, {"notes", std::move(notes)}};
+}
+
+std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh* mesh) {
+  Value beads = Value::array(), rejected = Value::array();
+  for (size_t i = 0; i < table.beads.size(); ++i) {
+    Value row = row_of(panel, table.beads[i]);
+    if (mesh && i < mesh->meshing.size()) row["mesh"] = meshing_of(mesh->meshing[i]);
+    beads.push_back(std::move(row));
+  }
+  for (const RejectedFace& face : table.faces_not_beads)
+    rejected.push_back({{"face", face.face}, {"reason", face.reason}});
+
+  Value object;
+  object["schema"] = "beadmesh.beads/1";
+  object["input"] = panel.input;
+  object["unit"] = "mm";
+  object["beads"] = std::move(beads);
+  object["faces_not_beads"] = std::move(rejected);
+  if (mesh)
+    object["mesh"] = Value{{"nodes", mesh->quality.nodes},
+                           {"quads", mesh->quality.quads},
+                           {"trias", mesh->quality.trias},
+                           {"quality", json::quality(mesh->quality)}};
+  object["diagnostics"] = json::diagnostics(table.diagnostics);
+  return json::lines_of(object);
+}
+
+}  // namespace
+
+std::string bead_json(const Panel& panel, const BeadTable& table) {
+  return text_of(panel, table, nullptr);
+}
+
+std::string bead_json(const Panel& panel, const PanelMesh& mesh) {
+  return text_of(panel, mesh.table, &mesh);
+}
+
+}  // namespace beadmesh

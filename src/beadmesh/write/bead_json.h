@@ -1,0 +1,17 @@
+// The bead table as JSON, schema beadmesh.beads/1 (docs: the product contract).
+#pragma once
+
+#include <string>
+
+#include "beadmesh/bead/bead_table.h"
+#include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/panel/panel.h"
+
+namespace beadmesh {
+
+/// Lengths in mm, faces by their 1-based numbers in the file, angles in degrees.
+std::string bead_json(const Panel& panel, const BeadTable& table);
+/// The same with how each bead was meshed and the quality of the mesh.
+std::string bead_json(const Panel& panel, const PanelMesh& mesh);
+
+}  // namespace beadmesh

@@ -1,0 +1,190 @@
+"""The verbs on example panels: files, tables, kinds, determinism."""
+import json
+import unittest
+
+from command import Case, contains, example, run, truth
+
+
+def beads_of(name):
+    result = run("beads", example(name), "--json", "-")
+    return result, json.loads(result.stdout)
+
+
+class Recognition(Case):
+    """Every bead is found with its kind, nothing else is."""
+
+    def assert_recognised(self, name):
+        result, table = beads_of(name)
+        self.assertEqual(0, result.returncode, result.stderr)
+        self.assertEqual("beadmesh.beads/1", table["schema"])
+        features = truth(name)
+        found = {}
+        for bead in table["beads"]:
+            owners = [i for i, f in enumerate(features) if contains(f, bead["point"])]
+            self.assertEqual(1, len(owners), f"bead {bead['id']} at {bead['point']} lies on no feature")
+            self.assertNotIn(owners[0], found)
+            found[owners[0]] = bead
+        for i, feature in enumerate(features):
+            with self.subTest(feature=i + 1, shape=feature["shape"]):
+                if feature["paper_rule"] == "none":
+                    self.assertNotIn(i, found)
+                    continue
+                self.assertIn(i, found)
+                self.assert_like(found[i], feature)
+
+    def assert_like(self, bead, feature):
+        self.assertEqual(feature["paper_rule"], bead["kind"])
+        self.assertEqual(feature["shape"], bead["shape"])
+        self.assertEqual(feature["loops"], bead["loops"])
+        self.assertAlmostEqual(1, bead["length"] / feature["centreline_length"], delta=0.1)
+        self.assertAlmostEqual(1, bead["width"] / feature["mean_width"], delta=0.1)
+        self.assertAlmostEqual(1, bead["height"] / feature["height"], delta=0.1)
+
+    def test_basic(self):
+        self.assert_recognised("basic")
+
+    def test_rotated(self):
+        self.assert_recognised("rotated")
+
+    def test_curved(self):
+        self.assert_recognised("curved")
+
+    def test_floor(self):
+        self.assert_recognised("floor")
+
+
+class Files(Case):
+    def test_mesh_writes_all_it_is_asked_for(self):
+        deck, table, report = (self.folder / name for name in ("panel.bdf", "beads.json", "report.svg"))
+        result = run("mesh", example("basic"), "-o", deck, "--json", table, "--report", report)
+        self.assertEqual(0, result.returncode, result.stderr)
+        self.assertEqual({deck, table, report}, set(self.contents()), "no file is left over")
+        self.assertIn("CQUAD4", deck.read_text())
+        self.assertIn("SET", deck.read_text())
+        self.assertIn("<svg", report.read_text())
+        self.assert_table(json.loads(table.read_text()))
+        self.assertIn("generic", result.stdout, "the summary shows the bead table")
+
+    def assert_table(self, table):
+        self.assertEqual("basic.step", table["input"])
+        self.assertEqual("mm", table["unit"])
+        self.assertEqual(list(range(1, len(table["beads"]) + 1)), [b["id"] for b in table["beads"]])
+        for bead in table["beads"]:
+            self.assertGreater(bead["mesh"]["elements"], 0)
+            self.assertTrue(all(len(p) == 3 for line in bead["ridge"] for p in line))
+        self.assertTrue(all(f["reason"] for f in table["faces_not_beads"]))
+        self.assertGreater(table["mesh"]["quads"], 0)
+
+    def test_html_report_stands_alone(self):
+        report = self.folder / "report.html"
+        result = run("mesh", example("basic"), "-o", self.folder / "panel.bdf", "--report", report)
+        self.assertEqual(0, result.returncode, result.stderr)
+        text = report.read_text()
+        self.assertIn("<html", text)
+        for link in ('src="http', "src='http", 'href="http', "@import"):
+            self.assertNotIn(link, text)
+
+    def test_minimum_edge_holds_by_the_programs_own_check(self):
+        deck = self.folder / "panel.bdf"
+        run("mesh", example("rotated"), "-o", deck, "--size", "6", "--min-edge", "3")
+        result = run("check", deck, "--min-edge", "3", "--json", "-")
+        self.assertEqual(0, result.returncode, result.stderr)
+        self.assertGreater(json.loads(result.stdout)["mesh"]["quads"], 100)
+
+    def test_minimum_edge_holds_in_the_deck(self):
+        deck = self.folder / "panel.bdf"
+        run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")
+        points, quads = read_deck(deck.read_text())
+        self.assertGreater(len(quads), 500)
+        shortest = min(length(points[a], points[b]) for q in quads for a, b in zip(q, q[1:] + q[:1]))
+        self.assertGreaterEqual(shortest, 2.5 - 1e-6)
+
+
+def read_deck(text):
+    """Grid points and quadrangles of a deck in large field grids and small field elements."""
+    points, quads, lines = {}, [], text.splitlines()
+    for i, line in enumerate(lines):
+        if line.startswith("GRID*"):
+            points[int(line[8:24])] = (float(line[40:56]), float(line[56:72]), float(lines[i + 1][8:24]))
+        elif line.startswith("CQUAD4"):
+            quads.append([int(line[k : k + 8]) for k in (24, 32, 40, 48)])
+    return points, quads
+
+
+def length(p, q):
+    return sum((a - b) ** 2 for a, b in zip(p, q)) ** 0.5
+
+
+class StandardOutput(Case):
+    def test_json_to_standard_output_is_nothing_but_json(self):
+        deck = self.folder / "panel.bdf"
+        for arguments in (("mesh", example("basic"), "-o", deck, "--json", "-"), ("beads", example("basic"), "--json", "-"),
+                          ("medial", example("basic"), "--face", "2", "--json", "-")):
+            with self.subTest(verb=arguments[0]):
+                result = run(*arguments)
+                self.assertEqual(0, result.returncode, result.stderr)
+                self.assertTrue(json.loads(result.stdout)["schema"].startswith("beadmesh."))
+
+    def test_csv_has_a_row_a_bead(self):
+        result = run("beads", example("basic"), "--csv", "-")
+        self.assertEqual(0, result.returncode, result.stderr)
+        self.assertEqual(1 + 4, len(result.stdout.splitlines()))
+
+    def test_a_quiet_run_has_no_diagnostics(self):
+        result = run("beads", example("basic"))
+        self.assertEqual("", result.stderr)
+        self.assertIn("annular", result.stdout)
+
+    def test_help_and_version(self):
+        for option in ("--help", "--version"):
+            result = run(option)
+            self.assertEqual(0, result.returncode)
+            self.assertIn("beadmesh", result.stdout)
+            self.assertEqual("", result.stderr)
+
+
+class MedialObject(Case):
+    def medial(self, *arguments):
+        result = run("medial", *arguments, "--json", "-")
+        self.assertEqual(0, result.returncode, result.stderr)
+        return json.loads(result.stdout)["faces"]
+
+    def test_of_a_rectangle(self):
+        [face] = self.medial(self.file("rectangle.wkt", b"POLYGON((0 0, 40 0, 40 20, 0 20, 0 0))"))
+        self.assertEqual(1, face["loops"])
+        junctions = [v for v in face["vertices"] if v["type"] == "J"]
+        self.assertEqual([10, 30], sorted(round(v["point"][0]) for v in junctions))
+        self.assertTrue(all(abs(v["radius"] - 10) < 0.1 for v in junctions))
+
+    def test_of_a_square_ring_is_one_closed_axis(self):
+        [face] = self.medial(self.file("ring.wkt", b"POLYGON((0 0,60 0,60 60,0 60,0 0),(10 10,50 10,50 50,10 50,10 10))"))
+        self.assertEqual(2, face["loops"])
+
+    def test_of_every_face_of_a_panel(self):
+        faces = self.medial(example("basic"))
+        self.assertEqual(list(range(1, 8)), [f["face"] for f in faces])
+
+    def test_picture(self):
+        picture = self.folder / "face.svg"
+        result = run("medial", example("basic"), "--face", "3", "--svg", picture)
+        self.assertEqual(0, result.returncode, result.stderr)
+        self.assertIn("<svg", picture.read_text())
+
+
+class Determinism(Case):
+    def test_one_thread_or_two_the_same_bytes(self):
+        for name in ("basic", "curved"):
+            runs = []
+            for jobs in ("1", "2", "2"):
+                folder = self.folder / f"{name}{len(runs)}"
+                folder.mkdir()
+                result = run("mesh", example(name), "-o", folder / "p.bdf", "--json", folder / "p.json",
+                             "--report", folder / "p.svg", "--jobs", jobs)
+                self.assertIn(result.returncode, (0, 1), result.stderr)
+                runs.append({path.name: path.read_bytes() for path in folder.iterdir()})
+            self.assertEqual(runs[0], runs[1])
+            self.assertEqual(runs[1], runs[2])
+
+
+if __name__ == "__main__":
+    unittest.main()

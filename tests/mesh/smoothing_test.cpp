@@ -1,0 +1,151 @@
+#include "beadmesh/mesh/smoothing.h"
+
+#include <gtest/gtest.h>
+
+#include "beadmesh/mesh/element_quality.h"
+#include "mesh/sample_quads.h"
+
+namespace beadmesh {
+namespace {
+
+TEST(Smoothing, LeavesPerfectGridAlone) {
+  PlanarMesh mesh = sample::grid(6, 6, 5.0);
+  const PlanarMesh before = mesh;
+  const SmoothingReport report = smooth(mesh, nullptr, {});
+  EXPECT_EQ(mesh.nodes, before.nodes);
+  EXPECT_NEAR(report.scaled_jacobian_min, 1, 1e-12);
+  EXPECT_EQ(report.edges_below_min, 0);
+}
+
+TEST(Smoothing, BringsShakenGridBack) {
+  PlanarMesh mesh = sample::grid(12, 12, 5.0);
+  const PlanarMesh perfect = mesh;
+  sample::shake(mesh, 2.2, 7);
+  const SmoothingReport report = smooth(mesh, nullptr, {});
+  EXPECT_GT(report.scaled_jacobian_min, 0.95);
+  for (size_t i = 0; i < mesh.nodes.size(); ++i) EXPECT_LT(distance(mesh.nodes[i], perfect.nodes[i]), 1.0);
+}
+
+TEST(Smoothing, UntanglesCompletelyTangledGrid) {
+  PlanarMesh mesh = sample::grid(12, 12, 5.0);
+  sample::shake(mesh, 12, 3);
+  ASSERT_GT(summarise(sample::lifted(mesh), mesh.elements, 2.5).inverted, 50);
+  const SmoothingReport report = smooth(mesh, nullptr, {});
+  EXPECT_EQ(report.inverted, 0);
+  EXPECT_EQ(report.edges_below_min, 0);
+  EXPECT_GT(report.scaled_jacobian_min, 0.6);
+}
+
+TEST(Smoothing, DoesNotMoveFixedNodes) {
+  PlanarMesh mesh = sample::grid(6, 6, 5.0);
+  sample::shake(mesh, 2, 5);
+  mesh.freedom[24] = NodeFreedom::fixed;
+  const PlanarMesh before = mesh;
+  smooth(mesh, nullptr, {});
+  for (size_t i = 0; i < mesh.nodes.size(); ++i)
+    if (mesh.freedom[i] == NodeFreedom::fixed) {
+      EXPECT_EQ(mesh.nodes[i], before.nodes[i]);
+    }
+}
+
+TEST(Smoothing, LengthensShortEdges) {
+  PlanarMesh mesh = sample::grid(6, 6, 5.0);
+  mesh.nodes[24] += Vec2{4.4, 0};  // leaves 0.6 to its neighbour
+  ASSERT_GT(summarise(sample::lifted(mesh), mesh.elements, 2.5).edges_below_min, 0);
+  const SmoothingReport report = smooth(mesh, nullptr, {});
+  EXPECT_EQ(report.edges_below_min, 0);
+  EXPECT_EQ(summarise(sample::lifted(mesh), mesh.elements, 2.5).edges_below_min, 0);
+}
+
+/// Guard: no mesh may come out with more short edges, or a worse worst element, than it went in with.
+TEST(Smoothing, NeverMakesItWorse) {
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    PlanarMesh mesh = sample::cut_triangles(5, 10);
+    sample::shake(mesh, 0.15 * seed, seed);
+    const QualitySummary before = summarise(sample::lifted(mesh), mesh.elements, 1.2);
+    SmoothingOptions options;
+    options.min_edge = 1.2;
+    const SmoothingReport report = smooth(mesh, nullptr, {}, options);
+    EXPECT_LE(report.edges_below_min, before.edges_below_min);
+    if (before.edges_below_min == 0) {
+      EXPECT_GE(report.scaled_jacobian_min, before.scaled_jacobian_min);
+    }
+  }
+}
+
+TEST(Smoothing, ReportsWhatSummaryFinds) {
+  PlanarMesh mesh = sample::cut_triangles(6, 10);
+  const SmoothingReport report = smooth(mesh, nullptr, {});
+  const QualitySummary summary = summarise(sample::lifted(mesh), mesh.elements, 2.5);
+  EXPECT_NEAR(report.scaled_jacobian_min, summary.scaled_jacobian_min, 1e-9);
+  EXPECT_NEAR(report.scaled_jacobian_mean, summary.scaled_jacobian_mean, 1e-9);
+  EXPECT_EQ(report.edges_below_min, summary.edges_below_min);
+}
+
+TEST(Smoothing, IsDeterministic) {
+  PlanarMesh first = sample::cut_triangles(6, 10);
+  sample::shake(first, 1.5, 9);
+  PlanarMesh second = first;
+  smooth(first, nullptr, {});
+  smooth(second, nullptr, {});
+  EXPECT_EQ(first.nodes, second.nodes);
+}
+
+TEST(Smoothing, CrestNodesSlideAlongTheirLine) {
+  PlanarMesh mesh = sample::grid(8, 4, 5.0);
+  std::vector<Index> crest;
+  for (Index i = 0; i <= 8; ++i) crest.push_back(2 * 9 + i);
+  Vec2 shift = {1.8, 0};
+  for (Index i = 1; i < 8; ++i, shift = -shift) {
+    mesh.freedom[crest[i]] = NodeFreedom::crest;
+    mesh.nodes[crest[i]] += shift;
+  }
+  const SmoothingReport report = smooth(mesh, nullptr, {crest});
+  EXPECT_GT(report.scaled_jacobian_min, 0.9);
+  for (Index i = 1; i < 8; ++i) {
+    EXPECT_NEAR(mesh.nodes[crest[i]].y, 10, 1e-9);
+    EXPECT_NEAR(mesh.nodes[crest[i]].x, 5.0 * i, 1.5);
+  }
+}
+
+TEST(Smoothing, CrestNodesWithoutLineStay) {
+  PlanarMesh mesh = sample::grid(4, 4, 5.0);
+  mesh.freedom[12] = NodeFreedom::crest;
+  mesh.nodes[12] += Vec2{2, 1};
+  const Vec2 before = mesh.nodes[12];
+  smooth(mesh, nullptr, {});
+  EXPECT_EQ(mesh.nodes[12], before);
+}
+
+/// A plane tilted by 60 degrees about y: lengths along x double, so squares of the plane are 1:2 on the
+/// surface.
+TEST(Smoothing, MeasuresOnTheSurface) {
+  Facets facets;
+  FlatFace flat;
+  for (const Vec2 p : {Vec2{-1, -1}, Vec2{61, -1}, Vec2{61, 61}, Vec2{-1, 61}}) {
+    flat.positions.push_back(p);
+    facets.points.push_back({p.x, p.y, std::sqrt(3.0) * p.x});
+  }
+  facets.triangles = {{0, 1, 2}, {0, 2, 3}};
+  facets.triangle_face = {0, 0};
+  facets.loops = {{0, 1, 2, 3}};
+  const SurfaceMap map(facets, flat);
+  PlanarMesh mesh = sample::grid(10, 10, 1.5);
+  SmoothingOptions options;
+  options.size = 3;
+  options.min_edge = 1.4;
+  EXPECT_EQ(smooth(mesh, &map, {}, options).edges_below_min, 0);
+  options.min_edge = 1.6;
+  // Only the edges along y are below 1.6 on the surface; on a fixed frame they cannot all be longer.
+  const int below = smooth(mesh, &map, {}, options).edges_below_min;
+  EXPECT_GT(below, 0);
+  EXPECT_LE(below, 11 * 10);
+}
+
+TEST(Smoothing, SurvivesMeshWithoutElements) {
+  PlanarMesh mesh;
+  EXPECT_EQ(smooth(mesh, nullptr, {}).inverted, 0);
+}
+
+}  // namespace
+}  // namespace beadmesh
