@@ -56,7 +56,7 @@ Reached walk(const Polyline& points, double reach) {
     }
     walked += step;
   }
-  out.tangent = tangent_around(points, reach + 0.25 * reach, 0.25 * reach);
+  out.tangent = tangent_around(points, reach * 1.2, 0.2 * reach);
   return out;
 }
 
@@ -105,7 +105,7 @@ class RidgeBuilder {
     for (const SkeletonArm& arm : skeleton_.arms) graph_.arms.push_back(curve_of(arm));
     for (Index n = 0; n < Index(graph_.nodes.size()); ++n) {
       if (graph_.nodes[n].arms.size() == 1) extend_to_tip(n);
-      if (graph_.nodes[n].arms.size() == 3) square(n);
+      if (graph_.nodes[n].arms.size() >= 3) straighten(n);
     }
     return std::move(graph_);
   }
@@ -149,24 +149,62 @@ class RidgeBuilder {
     return ends;
   }
 
-  void square(Index n) {
+  /// How far the fillets of a junction bend an arm: until the thickness has settled, at least the radius (section 4.3), at
+  /// most 45 % of the arm.
+  double reach_of(const std::pair<Index, bool>& end, double radius) const {
+    const auto& points = skeleton_.arms[end.first].points;
+    const int n = int(points.size());
+    const auto at = [&](int i) -> const MedialPoint& { return points[end.second ? n - 1 - i : i]; };
+    std::vector<double> along{0};
+    for (int i = 1; i < n; ++i) along.push_back(along.back() + distance(at(i - 1).point, at(i).point));
+    const double most = std::min(3.5 * radius, 0.45 * along.back());
+    double settled = at(0).radius;
+    for (int i = 0; i < n && along[i] <= most; ++i) settled = std::min(settled, at(i).radius);
+    double reach = radius;
+    for (int i = 0; i < n && along[i] <= most; ++i)
+      if (at(i).radius > 1.015 * settled) reach = std::max(reach, along[i]);
+    return std::min(reach, std::max(most, 0.45 * along.back()));
+  }
+
+  /// Squares a T; the arms of any other junction are carried on straight to where they meet best.
+  void straighten(Index n) {
     const auto ends = ends_at(n);
     RidgeNode& node = graph_.nodes[n];
-    Reached reached[3];
-    for (int k = 0; k < 3; ++k) {
-      const Polyline points = oriented(graph_.arms[ends[k].first].points, ends[k].second);
+    std::vector<Reached> reached;
+    for (const auto& end : ends) {
+      const Polyline points = oriented(graph_.arms[end.first].points, end.second);
       if (points.size() < 2) return;
-      reached[k] = walk(points, node.radius);
+      reached.push_back(walk(points, reach_of(end, node.radius)));
     }
-    const auto target = squared_position(reached);
+    auto target = reached.size() == 3 ? squared_position(reached) : std::nullopt;
+    if (!target) target = best_meeting(reached, node);
     if (!target || distance(*target, node.point) > node.radius) return;
     node.point = *target;
     node.squared = true;
-    for (int k = 0; k < 3; ++k) replace_end(ends[k].first, ends[k].second, reached[k], *target);
+    for (size_t k = 0; k < ends.size(); ++k) replace_end(ends[k].first, ends[k].second, reached[k], *target);
+  }
+
+  /// Point nearest to all the arms' lines (least squares); none where they miss it by a tenth of the radius.
+  static std::optional<Vec2> best_meeting(const std::vector<Reached>& reached, const RidgeNode& node) {
+    double xx = 0, xy = 0, yy = 0;
+    Vec2 b{0, 0};
+    for (const Reached& r : reached) {
+      const Vec2 n = left_normal(r.tangent);
+      xx += n.x * n.x;
+      xy += n.x * n.y;
+      yy += n.y * n.y;
+      b += n * dot(n, r.point);
+    }
+    const double det = xx * yy - xy * xy;
+    if (det < 0.05) return std::nullopt;
+    const Vec2 at{(b.x * yy - b.y * xy) / det, (b.y * xx - b.x * xy) / det};
+    for (const Reached& r : reached)
+      if (std::abs(cross(r.tangent, at - r.point)) > 0.1 * node.radius) return std::nullopt;
+    return at;
   }
 
   /// Conditions 1 and 2 of section 4.3; of several pairs the one with the largest angle.
-  std::optional<Vec2> squared_position(const Reached (&r)[3]) const {
+  std::optional<Vec2> squared_position(const std::vector<Reached>& r) const {
     std::optional<Vec2> best;
     double best_angle = options_.straight_angle;
     for (int k = 0; k < 3; ++k) {

@@ -39,7 +39,9 @@ struct RidgeOptions {
   double straight_angle = radians(165);  ///< default 165 degrees: condition 1 of T-junction squaring
 };
 
-/// Arms end at the tips on the boundary; nodes of three arms are squared where both conditions of section 4.3 hold.
+/// Arms end at the tips on the boundary. Nodes of three arms are squared where both conditions of section 4.3 hold; other
+/// junctions move to the point where their arms, carried on straight from beyond the fillets, meet best. The reach is the
+/// inscribed radius as in the paper, or further, until the thickness has settled.
 RidgeGraph ridge_of(const Skeleton& skeleton, const PlanarRegion& region, const RidgeOptions& options = {});
 
 }  // namespace beadmesh

@@ -130,13 +130,30 @@ Counts count(const Skeleton& skeleton) {
   return out;
 }
 
+/// Outward direction of an arm beyond the fillets of its junction.
+Vec2 settled_direction(const SkeletonArm& arm, bool at_end, double radius) {
+  const double length = length_of(arm);
+  const double from = std::min(1.3 * radius, 0.4 * length), to = std::min(3.5 * radius, 0.9 * length);
+  const Vec2 start = at_end ? arm.points.back().point : arm.points.front().point;
+  const auto place = [&](double reach) {
+    double walked = 0;
+    const int n = int(arm.points.size());
+    const auto at = [&](int i) { return arm.points[at_end ? n - 1 - i : i].point; };
+    for (int i = 1; i < n; ++i) {
+      const double step = distance(at(i - 1), at(i));
+      if (walked + step >= reach && step > 0) return lerp(at(i - 1), at(i), (reach - walked) / step);
+      walked += step;
+    }
+    return at(n - 1);
+  };
+  const Vec2 d = place(to) - place(from);
+  return norm(d) > 0 ? normalized(d) : normalized(place(to) - start);
+}
+
 std::vector<Vec2> directions_from(const Skeleton& skeleton, Index node) {
   std::vector<Vec2> out;
-  for (Index a : skeleton.nodes[node].arms) {
-    const SkeletonArm& arm = skeleton.arms[a];
-    const double reach = std::min(2.5 * skeleton.nodes[node].radius, 0.5 * length_of(arm));
-    out.push_back(direction_at(arm, arm.end == node, std::max(reach, 1.5 * skeleton.nodes[node].radius)));
-  }
+  for (Index a : skeleton.nodes[node].arms)
+    out.push_back(settled_direction(skeleton.arms[a], skeleton.arms[a].end == node, skeleton.nodes[node].radius));
   return out;
 }
 
@@ -180,7 +197,7 @@ bool teeth_on_one_side(const Skeleton& skeleton, const Counts& counts) {
     for (Index a : skeleton.nodes[n].arms) {
       if (!is_end_arm(skeleton, a)) continue;
       const SkeletonArm& arm = skeleton.arms[a];
-      const Vec2 direction = direction_at(arm, arm.end == n, 2 * skeleton.nodes[n].radius);
+      const Vec2 direction = settled_direction(arm, arm.end == n, skeleton.nodes[n].radius);
       const bool through = stem_of(skeleton, n) != a && stem_of(skeleton, n) != no_index;
       if (!through) stems.push_back(direction);
     }
@@ -198,7 +215,7 @@ bool is_trident(const Skeleton& skeleton, const Counts& counts) {
   for (Index n = 0; n < Index(skeleton.nodes.size()); ++n) {
     if (skeleton.nodes[n].arms.size() != 1) continue;
     const SkeletonArm& arm = skeleton.arms[skeleton.nodes[n].arms[0]];
-    tips.push_back(-direction_at(arm, arm.end == n, 2.5 * skeleton.nodes[n].radius));
+    tips.push_back(-settled_direction(arm, arm.end == n, skeleton.nodes[n].radius));
   }
   for (size_t handle = 0; handle < tips.size(); ++handle) {
     bool all = true;

@@ -207,11 +207,11 @@ Index DivideAndConquer::lower_tangent(Index low, Index high) {
 // the edge to it from the base's low end, no_index where there is none above the base.
 Index DivideAndConquer::left_candidate(Index base) {
   Index candidate = net_.next_around(base ^ 1);
-  if (!is_above(candidate, base)) return no_index;
+  if (candidate == (base ^ 1) || !is_above(candidate, base)) return no_index;
   const Vec2 b = net_.to(base), a = net_.from(base);
   for (;;) {
     const Index next = net_.next_around(candidate);
-    if (incircle(b, a, net_.to(candidate), net_.to(next)) <= 0) return candidate;
+    if (next == (base ^ 1) || incircle(b, a, net_.to(candidate), net_.to(next)) <= 0) return candidate;
     net_.remove(candidate);
     candidate = next;
   }
@@ -219,11 +219,11 @@ Index DivideAndConquer::left_candidate(Index base) {
 
 Index DivideAndConquer::right_candidate(Index base) {
   Index candidate = net_.previous_around(base);
-  if (!is_above(candidate, base)) return no_index;
+  if (candidate == base || !is_above(candidate, base)) return no_index;
   const Vec2 b = net_.to(base), a = net_.from(base);
   for (;;) {
     const Index next = net_.previous_around(candidate);
-    if (incircle(b, a, net_.to(candidate), net_.to(next)) <= 0) return candidate;
+    if (next == base || incircle(b, a, net_.to(candidate), net_.to(next)) <= 0) return candidate;
     net_.remove(candidate);
     candidate = next;
   }

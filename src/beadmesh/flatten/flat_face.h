@@ -10,8 +10,8 @@
 namespace beadmesh {
 
 struct FlattenOptions {
-  int iterations = 100;         ///< default 100: ARAP local/global sweeps at most
-  double convergence = 1e-6;    ///< default 1e-6: stops when no point moves by more than this times the size
+  int iterations = 1000;        ///< default 1000: ARAP local/global sweeps at most
+  double convergence = 1e-8;    ///< default 1e-8: stops when no point moves by more than this times the size
   double max_distortion = 4.0;  ///< default 4: larger singular-value ratios are an error
 };
 
@@ -27,12 +27,12 @@ struct FlatFace {
   Distortion distortion;
 };
 
-/// Lays facets out in the plane, as rigid as possible (Liu, Zhang, Xu, Gotsman, Gortler 2008; start: the mean
-/// plane where no facet leans over, else the facets unrolled over their edges, else Tutte). A planar face is
-/// copied isometrically. The image lies over the projection along the mean normal, as close as a rigid motion
-/// brings it; its x axis is the projected global x axis, so that a flat sheet z = const facing up keeps its
-/// coordinates. Fails with flatten.* where the piece is no disc with holes, or flips or distorts beyond the
-/// limit.
+/// Lays facets out in the plane, as rigid as possible (Liu, Zhang, Xu, Gotsman, Gortler 2008). Start: the
+/// facets unrolled over their edges, with the turns they have over the mean plane where none leans over it;
+/// else Tutte's embedding. A planar face is copied isometrically. The image lies over the projection along
+/// the mean normal, as close as a rigid motion brings it; its x axis is the projected global x axis, so that
+/// a flat sheet z = const facing up keeps its coordinates. Fails with flatten.* where the piece is no disc
+/// with holes, or flips or distorts beyond the limit.
 Result<FlatFace> flatten(const Facets& facets, const FlattenOptions& options = {});
 
 /// A point of the flat face seen on the facets.

@@ -113,6 +113,27 @@ Expansion<2 * m * n> operator*(const Expansion<m>& e, const Expansion<n>& f) {
   return h;
 }
 
+// Twice the digits of a double, rounded; each operation errs by less than 2^-100 of the magnitudes that go
+// in.
+Pair rounded_product(Pair a, Pair b) {
+  const Pair p = two_product(a.high, split(a.high), b.high, split(b.high));
+  return fast_two_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+Pair rounded_sum(Pair a, Pair b) {
+  const Pair high = two_sum(a.high, b.high), low = two_sum(a.low, b.low);
+  const Pair sum = fast_two_sum(high.high, high.low + low.high);
+  return fast_two_sum(sum.high, sum.low + low.low);
+}
+
+Pair rounded_difference(Pair a, Pair b) {
+  return rounded_sum(a, {-b.high, -b.low});
+}
+
+// What rounding can do to a determinant with operations of the above kind, a dozen of which follow each
+// other, as a part of the sum of the absolute values of its terms.
+constexpr double rounding_of_pairs = 0x1p-94;
+
 // Between the smaller and the larger of two collinear points' ends, ends excluded.
 bool is_strictly_between(Vec2 p, Vec2 a, Vec2 b) {
   const auto key = [](Vec2 v) { return std::pair(v.x, v.y); };
@@ -133,17 +154,43 @@ int sign(double v) {
   return (v > 0) - (v < 0);
 }
 
+// The determinant of `incircle` in pairs; 0 where its sign is in doubt.
+double incircle_of_pairs(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  struct Row {
+    Pair x, y, lift;
+  };
+  const auto row = [&](Vec2 p) {
+    const Pair x = two_sum(p.x, -d.x), y = two_sum(p.y, -d.y);
+    return Row{x, y, rounded_sum(rounded_product(x, x), rounded_product(y, y))};
+  };
+  double magnitude = 0;
+  const auto term = [&](const Row& lifted, const Row& p, const Row& q) {
+    const Pair left = rounded_product(p.x, q.y), right = rounded_product(q.x, p.y);
+    magnitude += lifted.lift.high * (std::abs(left.high) + std::abs(right.high));
+    return rounded_product(lifted.lift, rounded_difference(left, right));
+  };
+  const Row ra = row(a), rb = row(b), rc = row(c);
+  const Pair determinant = rounded_sum(rounded_sum(term(ra, rb, rc), term(rb, rc, ra)), term(rc, ra, rb));
+  return std::abs(determinant.high) > rounding_of_pairs * magnitude ? determinant.high : 0;
+}
+
 }  // namespace
 
 namespace exact {
 
 double orient2d(Vec2 a, Vec2 b, Vec2 c) {
+  const Pair left = rounded_product(two_sum(a.x, -c.x), two_sum(b.y, -c.y));
+  const Pair right = rounded_product(two_sum(a.y, -c.y), two_sum(b.x, -c.x));
+  const Pair determinant = rounded_difference(left, right);
+  const double magnitude = std::abs(left.high) + std::abs(right.high);
+  if (std::abs(determinant.high) > rounding_of_pairs * magnitude) return determinant.high;
   const auto acx = difference(a.x, c.x), acy = difference(a.y, c.y);
   const auto bcx = difference(b.x, c.x), bcy = difference(b.y, c.y);
   return (acx * bcy + -(acy * bcx)).estimate();
 }
 
 double incircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  if (const double determinant = incircle_of_pairs(a, b, c, d)) return determinant;
   const auto adx = difference(a.x, d.x), ady = difference(a.y, d.y);
   const auto bdx = difference(b.x, d.x), bdy = difference(b.y, d.y);
   const auto cdx = difference(c.x, d.x), cdy = difference(c.y, d.y);

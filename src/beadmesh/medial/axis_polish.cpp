@@ -38,7 +38,7 @@ bool even_step(const std::vector<Contact>& feet, Vec2 centre, double mean_distan
   const Vec2 axis = normalized(xx >= yy ? Vec2{(xx - yy) / 2 + root, xy} : Vec2{xy, (yy - xx) / 2 + root});
   step = axis * (dot(axis, right) / large);
   const Vec2 other = left_normal(axis);
-  if (small > 1e-6 * large) step += other * (dot(other, right) / small);
+  if (small > 1e-10 * large) step += other * (dot(other, right) / small);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "beadmesh/bead/crest_offset.h"
 #include "beadmesh/blocking/annular_blocks.h"
 #include "beadmesh/blocking/bead_blocks.h"
 #include "beadmesh/blocking/element_counts.h"
@@ -74,7 +75,7 @@ bool is_prescribed(const BeadMesherOptions& options) {
 class BeadMesher {
  public:
   BeadMesher(const FaceStudy& study, const MedialObject& medial, const BeadMesherOptions& options)
-      : study_(study), options_(options), skeleton_(skeleton_of(medial)), width_(width_of(skeleton_)) {}
+      : study_(study), options_(options), skeleton_(skeleton_of(medial)), crest_(moved_to_crest(skeleton_, *study.map)), width_(width_of(skeleton_)) {}
 
   Result<BeadMesh> annular() {
     AnnularBlockOptions blocks;
@@ -85,7 +86,7 @@ class BeadMesher {
         options_.elements_around ? options_.elements_around : std::max(8, 2 * int(std::lround(around / options_.size / 2)));
     for (int m = across(); m >= 2; m -= 2) {
       blocks.elements_across = m;
-      if (attempt("blocks", [&] { return mesh_layout(blocks_of_annular_bead(skeleton_, study_.region, blocks), *study_.map, options_); }))
+      if (attempt("blocks", [&] { return mesh_layout(blocks_of_annular_bead(crest_, study_.region, blocks), *study_.map, options_); }))
         return std::move(*best_);
     }
     return last_resort();
@@ -93,7 +94,7 @@ class BeadMesher {
 
   Result<BeadMesh> armed() {
     if (is_prescribed(options_)) return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
-    const RidgeGraph ridge = ridge_of(skeleton_, study_.region);
+    const RidgeGraph ridge = ridge_of(crest_, study_.region);
     for (int m = across(); m >= 2; m -= 2) {
       const BeadBlockOptions blocks{options_.size, options_.min_edge, m};
       if (attempt("blocks", [&] { return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map, options_); }))
@@ -124,7 +125,7 @@ class BeadMesher {
   }
 
   Result<BeadMesh> by_ridge() {
-    const RidgeGraph ridge = ridge_of(skeleton_, study_.region);
+    const RidgeGraph ridge = ridge_of(crest_, study_.region);
     auto mesh = mesh_by_ridge_insertion(ridge, study_.region, *study_.map, {options_.size, options_.min_edge});
     if (!mesh) return mesh;
     clean_up(mesh->mesh, study_.map.get(), crest_edges(*mesh), {options_.size, options_.min_edge});
@@ -134,6 +135,7 @@ class BeadMesher {
   const FaceStudy& study_;
   BeadMesherOptions options_;
   Skeleton skeleton_;
+  Skeleton crest_;  ///< the same, its points on the crest
   Width width_;
   std::vector<std::string> reasons_;
   std::optional<BeadMesh> best_;

@@ -1,6 +1,7 @@
 #include "beadmesh/mesh/lattice_core.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -132,6 +133,32 @@ class LatticeCore {
       }
     }
     for_edges(loops_, [&](Index a, Index b) { drop_points_near(coordinates(a), coordinates(b)); });
+    open_slots_between_odd_loops();
+  }
+
+  // What is left over around a loop with an odd count could not be meshed by quads: two such loops get a
+  // common area.
+  void open_slots_between_odd_loops() {
+    const NodeLoop* waiting = nullptr;
+    for (const NodeLoop& loop : loops_) {
+      if (loop.size() % 2 == 0) continue;
+      if (waiting) {
+        const auto [a, b] = nearest_nodes(*waiting, loop);
+        drop_points_near(coordinates(a), coordinates(b));
+      }
+      waiting = waiting ? nullptr : &loop;
+    }
+  }
+
+  std::array<Index, 2> nearest_nodes(const NodeLoop& first, const NodeLoop& second) const {
+    std::array<Index, 2> nearest{first[0], second[0]};
+    for (const Index a : first) {
+      for (const Index b : second) {
+        if (distance(draft_.at(a), draft_.at(b)) < distance(draft_.at(nearest[0]), draft_.at(nearest[1])))
+          nearest = {a, b};
+      }
+    }
+    return nearest;
   }
 
   void drop_points_near(Vec2 p, Vec2 q) {

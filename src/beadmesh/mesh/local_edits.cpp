@@ -1,7 +1,8 @@
 #include "beadmesh/mesh/local_edits.h"
 
 #include <algorithm>
-#include <optional>
+#include <initializer_list>
+#include <span>
 
 namespace beadmesh {
 namespace {
@@ -11,49 +12,33 @@ struct Candidate {
   Replacement edit;
 };
 
-/// Collects edits with what the penalties around them would gain.
+/// Collects edits with what the penalties around them would gain. The gain is asked before an edit is put
+/// together.
 class Candidates {
  public:
-  explicit Candidates(const MeshEditor& editor) : editor_(editor) {}
+  Candidates(const MeshEditor& editor, double least_gain) : editor_(editor), least_gain_(least_gain) {}
 
-  void add(Replacement edit) {
-    const double gain = gain_of(edit);
-    if (gain >= least_gain) list_.push_back({gain, std::move(edit)});
+  /// What the penalty falls by where nodes get so many elements more or less.
+  double gain(std::initializer_list<std::pair<Index, int>> changes) const {
+    double sum = 0;
+    for (const auto& [node, change] : changes) {
+      const int valence = editor_.mesh().valence(node);
+      sum += editor_.penalty(node, valence) - editor_.penalty(node, valence + change);
+    }
+    return sum;
   }
+  bool is_welcome(double gain) const { return gain >= least_gain_; }
+  void add(double gain, Replacement edit) { list_.push_back({gain, std::move(edit)}); }
   /// Best first; equal ones in the order they were found.
   std::vector<Candidate> sorted() {
     std::stable_sort(list_.begin(), list_.end(),
                      [](const auto& a, const auto& b) { return a.gain > b.gain; });
     return std::move(list_);
   }
-  double least_gain = 0.5;
 
  private:
-  double gain_of(const Replacement& edit) const {
-    std::vector<std::pair<Index, int>> change;
-    const auto count = [&](const MeshElement& element, int step) {
-      for (int i = 0; i < corner_count(element); ++i) change.emplace_back(element[i], step);
-    };
-    for (const Index e : edit.removed) count(editor_.mesh().element(e), -1);
-    for (const MeshElement& element : edit.added) count(element, 1);
-    std::sort(change.begin(), change.end());
-    double gain = 0;
-    for (size_t begin = 0, end = 0; begin < change.size(); begin = end) {
-      int sum = 0;
-      for (; end < change.size() && change[end].first == change[begin].first; ++end)
-        sum += change[end].second;
-      const Index node = change[begin].first;
-      if (node >= editor_.mesh().node_count()) {
-        gain -= (sum - 4) * (sum - 4);
-        continue;
-      }
-      const int valence = editor_.mesh().valence(node);
-      gain += editor_.penalty(node, valence) - (valence + sum > 0 ? editor_.penalty(node, valence + sum) : 0);
-    }
-    return gain;
-  }
-
   const MeshEditor& editor_;
+  double least_gain_;
   std::vector<Candidate> list_;
 };
 
@@ -64,40 +49,44 @@ MeshElement with_corner(MeshElement element, Index from, Index to) {
 }
 
 /// The quad's corner `gone` merged into the opposite one.
-std::optional<Replacement> collapse(const MeshEditor& editor, Index quad, Index gone) {
+void add_collapse(const MeshEditor& editor, Index quad, Index gone, Candidates& candidates) {
   const QuadConnectivity& mesh = editor.mesh();
   const MeshElement& corners = mesh.element(quad);
-  if (!is_quad(corners) || !editor.is_free(gone) || editor.is_boundary(gone)) return std::nullopt;
-  const Index stays = corners[(corner_of(corners, gone) + 2) % 4];
+  if (!editor.is_free(gone) || editor.is_boundary(gone)) return;
+  const int at = corner_of(corners, gone);
+  const Index stays = corners[(at + 2) % 4];
+  const double gain = editor.penalty(gone) + candidates.gain({{stays, mesh.valence(gone) - 2},
+                                                              {corners[(at + 1) % 4], -1},
+                                                              {corners[(at + 3) % 4], -1}});
+  if (!candidates.is_welcome(gain)) return;
   Replacement edit;
   for (const Index e : mesh.star(gone)) {
     edit.removed.push_back(e);
     if (e == quad) continue;
     const MeshElement& element = mesh.element(e);
-    if (std::find(element.begin(), element.end(), stays) != element.end()) return std::nullopt;
+    if (std::find(element.begin(), element.end(), stays) != element.end()) return;
     edit.added.push_back(with_corner(element, gone, stays));
   }
   if (editor.is_free(stays))
     edit.moved.emplace_back(stays, (editor.nodes().flat(gone) + editor.nodes().flat(stays)) / 2);
-  return edit;
+  candidates.add(gain, std::move(edit));
 }
 
 /// The edge u-w between two quads exchanged for one of the other two diagonals of their hexagon.
-std::optional<Replacement> rotate(const MeshEditor& editor, Index u, Index w, bool clockwise) {
+void add_rotations(const MeshEditor& editor, Index u, Index w, Candidates& candidates) {
   const QuadConnectivity& mesh = editor.mesh();
   const Index left = mesh.element_with_edge(u, w), right = mesh.element_with_edge(w, u);
-  if (left == no_index || right == no_index || editor.is_kept_edge(u, w)) return std::nullopt;
+  if (left == no_index || right == no_index || editor.is_kept_edge(u, w)) return;
   const MeshElement &a = mesh.element(left), &b = mesh.element(right);
-  if (!is_quad(a) || !is_quad(b)) return std::nullopt;
+  if (!is_quad(a) || !is_quad(b)) return;
   const Index x = a[(corner_of(a, w) + 1) % 4], y = a[(corner_of(a, w) + 2) % 4];
   const Index p = b[(corner_of(b, u) + 1) % 4], q = b[(corner_of(b, u) + 2) % 4];
-  Replacement edit;
-  edit.removed = {left, right};
-  if (clockwise)
-    edit.added = {{x, y, u, p}, {p, q, w, x}};
-  else
-    edit.added = {{y, u, p, q}, {q, w, x, y}};
-  return edit;
+  const double to_xp = candidates.gain({{u, -1}, {w, -1}, {x, 1}, {p, 1}});
+  const double to_yq = candidates.gain({{u, -1}, {w, -1}, {y, 1}, {q, 1}});
+  if (candidates.is_welcome(to_xp))
+    candidates.add(to_xp, {{left, right}, {}, {{x, y, u, p}, {p, q, w, x}}, {}});
+  if (candidates.is_welcome(to_yq))
+    candidates.add(to_yq, {{left, right}, {}, {{y, u, p, q}, {q, w, x, y}}, {}});
 }
 
 /// Elements around an inner node in turn, counter-clockwise, from the one that has the edge node -> first.
@@ -113,28 +102,32 @@ std::vector<Index> ordered_star(const QuadConnectivity& mesh, Index node) {
 
 /// The elements first .. first + count - 1 of the node's ring get a node of their own; a quad opens in
 /// between.
-Replacement split(const MeshEditor& editor, Index node, const std::vector<Index>& ring, size_t first,
-                  size_t count) {
+void add_split(const MeshEditor& editor, Index node, const std::vector<Index>& ring, size_t first,
+               size_t count, Candidates& candidates) {
   const QuadConnectivity& mesh = editor.mesh();
+  const auto sector = [&](size_t i) { return mesh.element(ring[(first + i) % ring.size()]); };
+  const Index from = corner_neighbours(sector(0), node).first;
+  const Index to = corner_neighbours(sector(count - 1), node).second;
+  const int fresh_valence = static_cast<int>(count) + 1;
+  const double gain = candidates.gain({{node, 1 - static_cast<int>(count)}, {from, 1}, {to, 1}}) -
+                      (fresh_valence - 4) * (fresh_valence - 4);
+  if (!candidates.is_welcome(gain)) return;
   const Index fresh = mesh.node_count();
   Replacement edit;
   Vec2 ahead, behind;
   for (size_t i = 0; i < ring.size(); ++i) {
-    const Index e = ring[(first + i) % ring.size()];
-    const auto [next, previous] = corner_neighbours(mesh.element(e), node);
+    const auto [next, previous] = corner_neighbours(sector(i), node);
     const Vec2 middle = (editor.nodes().flat(next) + editor.nodes().flat(previous)) / 2;
     (i < count ? ahead : behind) += middle / static_cast<double>(i < count ? count : ring.size() - count);
     if (i >= count) continue;
-    edit.removed.push_back(e);
-    edit.added.push_back(with_corner(mesh.element(e), node, fresh));
+    edit.removed.push_back(ring[(first + i) % ring.size()]);
+    edit.added.push_back(with_corner(sector(i), node, fresh));
   }
-  const Index from = corner_neighbours(mesh.element(edit.removed.front()), node).first;
-  const Index to = corner_neighbours(mesh.element(edit.removed.back()), node).second;
   edit.added.push_back({node, from, fresh, to});
   const Vec2 centre = editor.nodes().flat(node);
   edit.new_nodes.push_back(lerp(centre, ahead, 0.4));
   edit.moved.emplace_back(node, lerp(centre, behind, 0.4));
-  return edit;
+  candidates.add(gain, std::move(edit));
 }
 
 /// Two adjacent inner nodes of valence three: the hexagon around their four quads with two quads instead.
@@ -167,11 +160,20 @@ void add_side_collapses(const MeshEditor& editor, Index a, Index b, Candidates& 
   }
   for (int i = 0; i < 3; ++i) {
     const auto corner = [&](int k) { return hexagon[(i + k) % 6]; };
+    double gain = editor.penalty(a) + editor.penalty(b);
+    for (int k = 0; k < 6; ++k) {
+      const auto has_corner = [&](Index e) {
+        return mesh.element(e)[corner_of(mesh.element(e), corner(k))] == corner(k);
+      };
+      const int before = static_cast<int>(std::count_if(removed.begin(), removed.end(), has_corner));
+      gain += candidates.gain({{corner(k), (k % 3 == 0 ? 2 : 1) - before}});
+    }
+    if (!candidates.is_welcome(gain)) continue;
     candidates.add(
-        {removed,
-         {},
-         {{corner(0), corner(1), corner(2), corner(3)}, {corner(3), corner(4), corner(5), corner(0)}},
-         {}});
+        gain, {removed,
+               {},
+               {{corner(0), corner(1), corner(2), corner(3)}, {corner(3), corner(4), corner(5), corner(0)}},
+               {}});
   }
 }
 
@@ -180,27 +182,24 @@ void add_collapses_and_rotations(const MeshEditor& editor, Index node, Candidate
   for (const Index e : mesh.star(node)) {
     const MeshElement& element = mesh.element(e);
     if (!is_quad(element)) continue;
-    for (const Index corner : element)
-      if (const auto edit = collapse(editor, e, corner)) candidates.add(*edit);
-    const Index next = corner_neighbours(element, node).first;
-    for (const bool clockwise : {false, true}) {
-      if (const auto edit = rotate(editor, node, next, clockwise)) candidates.add(*edit);
-      // Sides of the quad away from the node: rotating them brings an edge to the node.
-      const Index opposite = element[(corner_of(element, node) + 2) % 4];
-      if (const auto edit = rotate(editor, next, opposite, clockwise)) candidates.add(*edit);
-      const Index previous = corner_neighbours(element, node).second;
-      if (const auto edit = rotate(editor, opposite, previous, clockwise)) candidates.add(*edit);
-    }
+    for (const Index corner : element) add_collapse(editor, e, corner, candidates);
+    const auto [next, previous] = corner_neighbours(element, node);
+    const Index opposite = element[(corner_of(element, node) + 2) % 4];
+    add_rotations(editor, node, next, candidates);
+    // Sides of the quad away from the node: rotating them brings an edge to the node.
+    add_rotations(editor, next, opposite, candidates);
+    add_rotations(editor, opposite, previous, candidates);
   }
 }
 
-void add_splits(const MeshEditor& editor, Index node, Candidates& candidates) {
-  if (editor.is_boundary(node) || !editor.is_free(node) || editor.mesh().valence(node) < 5) return;
+void add_splits(const MeshEditor& editor, Index node, Candidates& candidates, int least_valence) {
+  if (editor.is_boundary(node) || !editor.is_free(node) || editor.mesh().valence(node) < least_valence)
+    return;
   const std::vector<Index> ring = ordered_star(editor.mesh(), node);
   if (ring.size() != editor.mesh().star(node).size()) return;
-  for (size_t count = 2; 2 * count <= ring.size(); ++count)
+  for (size_t count = 2; count + 2 <= ring.size() && 2 * count <= ring.size(); ++count)
     for (size_t first = 0; first < ring.size(); ++first)
-      candidates.add(split(editor, node, ring, first, count));
+      add_split(editor, node, ring, first, count, candidates);
 }
 
 bool try_best(MeshEditor& editor, Candidates& candidates, EditAim aim, size_t attempts,
@@ -211,25 +210,26 @@ bool try_best(MeshEditor& editor, Candidates& candidates, EditAim aim, size_t at
   return false;
 }
 
-bool repair_edge(MeshEditor& editor, Index a, Index b, std::vector<Index>& touched) {
-  Candidates candidates(editor);
-  candidates.least_gain = -30;
-  for (const Index node : {a, b}) {
+/// Edits at any of the nodes, whatever they cost in regularity up to a bound, in the order of that cost.
+bool try_edits_at(MeshEditor& editor, std::span<const Index> nodes, EditAim aim, double least_gain,
+                  size_t attempts, std::vector<Index>& touched) {
+  Candidates candidates(editor, least_gain);
+  for (const Index node : nodes) {
     add_collapses_and_rotations(editor, node, candidates);
-    add_splits(editor, node, candidates);
+    add_splits(editor, node, candidates, 3);
   }
-  return try_best(editor, candidates, EditAim::longer_edges, 40, touched);
+  return try_best(editor, candidates, aim, attempts, touched);
 }
 
 }  // namespace
 
 bool improve_locally(MeshEditor& editor, Index node, std::vector<Index>& touched) {
   if (!editor.is_irregular(node)) return false;
-  Candidates candidates(editor);
+  Candidates candidates(editor, 0.5);
   add_collapses_and_rotations(editor, node, candidates);
   for (const Index other : editor.mesh().neighbours(node))
     add_side_collapses(editor, node, other, candidates);
-  add_splits(editor, node, candidates);
+  add_splits(editor, node, candidates, 5);
   return try_best(editor, candidates, EditAim::fewer_irregular, 3, touched);
 }
 
@@ -261,11 +261,25 @@ int remove_short_edges(MeshEditor& editor) {
         const double length = distance(editor.nodes().space(node), editor.nodes().space(other));
         if (length >= editor.limits().min_edge) continue;
         if (!editor.is_free(node) && !editor.is_free(other)) continue;
-        if (!repair_edge(editor, node, other, touched)) continue;
+        const std::array<Index, 2> ends = {node, other};
+        if (!try_edits_at(editor, ends, EditAim::longer_edges, -30, 40, touched)) continue;
         ++edits;
         break;
       }
     if (edits == before) break;
+  }
+  return edits;
+}
+
+int improve_shapes(MeshEditor& editor, double wanted) {
+  int edits = 0;
+  std::vector<Index> touched;
+  for (Index e = 0; e < editor.mesh().element_count(); ++e) {
+    if (!editor.mesh().is_alive(e)) continue;
+    const MeshElement corners = editor.mesh().element(e);
+    if (signed_quality(editor.nodes(), corners) >= wanted) continue;
+    const std::span<const Index> nodes(corners.data(), static_cast<size_t>(corner_count(corners)));
+    if (try_edits_at(editor, nodes, EditAim::better_shape, -8, 40, touched)) ++edits;
   }
   return edits;
 }

@@ -19,4 +19,8 @@ int remove_doublets(MeshEditor& editor);
 /// near it rotated, even where that makes nodes irregular. Returns the number of edits.
 int remove_short_edges(MeshEditor& editor);
 
+/// Elements whose scaled Jacobian is below `wanted`: edits at their corners that raise the worst one around,
+/// even where they make nodes irregular. Returns the number of edits.
+int improve_shapes(MeshEditor& editor, double wanted);
+
 }  // namespace beadmesh

@@ -23,7 +23,8 @@ struct Connector {
 
 class LoopConnection {
  public:
-  LoopConnection(MeshDraft& draft, const std::vector<NodeLoop>& loops) : draft_(draft), loops_(loops) {
+  LoopConnection(MeshDraft& draft, const std::vector<NodeLoop>& loops, bool against_vote)
+      : draft_(draft), loops_(loops), against_vote_(against_vote) {
     joined_ = loops[0];
     nearest_.assign(loops.size(), 1e300);
     done_.assign(loops.size(), false);
@@ -175,11 +176,12 @@ class LoopConnection {
       if (++seen > 4 * loop.size() + 50) break;
     }
     if (best[0].edges == 0 || best[1].edges == 0) return best[0].edges > 0 ? best[0] : best[1];
-    return votes[0] >= votes[1] ? best[0] : best[1];
+    return best[(votes[0] >= votes[1]) == against_vote_ ? 1 : 0];
   }
 
   MeshDraft& draft_;
   const std::vector<NodeLoop>& loops_;
+  const bool against_vote_;
   NodeLoop joined_;
   std::vector<double> nearest_;
   std::vector<bool> done_;
@@ -188,8 +190,8 @@ class LoopConnection {
 
 }  // namespace
 
-NodeLoop connect_loops(MeshDraft& draft, const std::vector<NodeLoop>& loops) {
-  return LoopConnection(draft, loops).connect();
+NodeLoop connect_loops(MeshDraft& draft, const std::vector<NodeLoop>& loops, bool against_vote) {
+  return LoopConnection(draft, loops, against_vote).connect();
 }
 
 }  // namespace beadmesh

@@ -10,6 +10,6 @@ namespace beadmesh {
 /// cost of angles and misfit among the visible ones, in that of the two parities of its edges which more of
 /// the good lines share. A loop that has a node in common with what is joined already needs no line. Empty
 /// where some loop sees nothing.
-NodeLoop connect_loops(MeshDraft& draft, const std::vector<NodeLoop>& loops);
+NodeLoop connect_loops(MeshDraft& draft, const std::vector<NodeLoop>& loops, bool against_vote = false);
 
 }  // namespace beadmesh

@@ -11,18 +11,12 @@
 namespace beadmesh {
 namespace {
 
-// Weights of the terms of a line's cost; the angle terms have weight 1.
-constexpr double misfit_weight = 3;
-constexpr double singularity_weight = 0.6;
-constexpr double closure_weight = 0.1;
 constexpr int closure_cap = 10;
-constexpr double balance_weight = 0.3;
-constexpr double length_weight = 0.02;  // per edge of the line
-constexpr double clearance_weight = 2;
+constexpr double clearance_weight = 4;
 constexpr double wanted_clearance = 0.8;  // in sizes
-constexpr double least_clearance = 0.3;
+constexpr double least_clearance = 0.45;
 constexpr std::size_t all_pairs_limit = 80;
-constexpr double first_radius = 4;   // in sizes: where larger loops look first
+constexpr double first_radius = 3;   // in sizes: where larger loops look first
 constexpr int nodes_per_line = 150;  // a larger loop is split by several lines at once
 constexpr double cost_span = 0.4;    // between them
 
@@ -35,8 +29,14 @@ struct SplitLine {
 
 class SplitSearch {
  public:
-  SplitSearch(const MeshDraft& draft, const NodeLoop& loop, const std::vector<double>& angles)
-      : draft_(draft), loop_(loop), angles_(angles), walk_(angles), size_(static_cast<int>(loop.size())) {}
+  SplitSearch(const MeshDraft& draft, const NodeLoop& loop, const std::vector<double>& angles,
+              const SplitWeights& weights)
+      : draft_(draft),
+        loop_(loop),
+        angles_(angles),
+        weights_(weights),
+        walk_(angles),
+        size_(static_cast<int>(loop.size())) {}
 
   // The cheapest visible line; for a large loop several at once, far from each other.
   std::vector<SplitLine> best() const {
@@ -74,8 +74,8 @@ class SplitSearch {
       std::pop_heap(lines.begin(), lines.end(), dearer);
       SplitLine line = lines.back();
       lines.pop_back();
-      if (!chosen.empty() && (line.cost > chosen.front().cost + cost_span || !is_far_from(line, chosen)))
-        continue;
+      if (!chosen.empty() && line.cost > chosen.front().cost + cost_span) break;
+      if (!is_far_from(line, chosen)) continue;
       if (line.checked) {
         chosen.push_back(line);
         continue;
@@ -156,9 +156,9 @@ class SplitSearch {
       if (edges >= inner || edges >= outer) break;
       if (edges == 1 && draft_.has_edge(loop_[i], loop_[j])) continue;
       SplitLine line{i, j, edges, cost_i + cost_j};
-      line.cost += misfit_weight * misfit_cost(wanted, edges) + length_weight * edges;
+      line.cost += weights_.misfit * misfit_cost(wanted, edges) + weights_.length * edges;
       const double share = static_cast<double>(inner) / size_;
-      line.cost += balance_weight * (1 - 4 * share * (1 - share));
+      line.cost += weights_.balance * (1 - 4 * share * (1 - share));
       line.cost += defect_cost(line, at_i, at_j);
       lines.push_back(line);
     }
@@ -170,20 +170,21 @@ class SplitSearch {
     const auto inner = walk_.defect(line.from, line.to, line.edges, i_inner, j_inner);
     const auto outer = walk_.defect(line.to, line.from, line.edges, j_outer, i_outer);
     const int singularity = std::abs(inner[0]) + std::abs(outer[0]) - std::abs(walk_.net_singularity());
-    return singularity_weight * singularity +
-           closure_weight * (std::min(inner[1], closure_cap) + std::min(outer[1], closure_cap));
+    return weights_.singularity * singularity +
+           weights_.closure * (std::min(inner[1], closure_cap) + std::min(outer[1], closure_cap));
   }
 
   const MeshDraft& draft_;
   const NodeLoop& loop_;
   const std::vector<double>& angles_;
+  const SplitWeights& weights_;
   LatticeWalk walk_;
   int size_;
 };
 
 class LoopSplitting {
  public:
-  explicit LoopSplitting(MeshDraft& draft) : draft_(draft) {}
+  LoopSplitting(MeshDraft& draft, const SplitWeights& weights) : draft_(draft), weights_(weights) {}
 
   void fill(const NodeLoop& whole) {
     waiting_.push_back(whole);
@@ -203,7 +204,7 @@ class LoopSplitting {
     }
     const std::vector<double> angles = interior_angles(draft_.nodes(), loop);
     if (fill_by_mapping(draft_, loop, angles)) return;
-    if (const auto lines = SplitSearch(draft_, loop, angles).best(); !lines.empty()) {
+    if (const auto lines = SplitSearch(draft_, loop, angles, weights_).best(); !lines.empty()) {
       split(loop, lines);
     } else if (const auto ear = least_bad_ear(loop, angles)) {
       split(loop, {*ear});
@@ -275,6 +276,7 @@ class LoopSplitting {
   }
 
   MeshDraft& draft_;
+  const SplitWeights& weights_;
   std::vector<NodeLoop> waiting_;
 };
 
@@ -294,8 +296,8 @@ double misfit_cost(double wanted, int edges) {
   return ratio * ratio;
 }
 
-void fill_by_splitting(MeshDraft& draft, const NodeLoop& loop) {
-  if (loop.size() >= 3) LoopSplitting(draft).fill(loop);
+void fill_by_splitting(MeshDraft& draft, const NodeLoop& loop, const SplitWeights& weights) {
+  if (loop.size() >= 3) LoopSplitting(draft, weights).fill(loop);
 }
 
 }  // namespace beadmesh

@@ -6,6 +6,15 @@
 
 namespace beadmesh {
 
+/// Weights of the terms of a line's cost against its four angles, each of which counts 1 for 45 degrees off.
+struct SplitWeights {
+  double misfit = 4;         ///< squared logarithm of the edge length against the wanted one
+  double closure = 0.15;     ///< per lattice step by which the walks around the parts fail to close
+  double singularity = 0.3;  ///< per irregular node that the line adds to what the parts need
+  double length = 0.1;       ///< per edge of the line
+  double balance = 0.3;      ///< parts of very unequal counts
+};
+
 /// Angle cost of a line that leaves an interior angle `whole` at `part` from one of its sides: 0 where both
 /// parts are multiples of 90 degrees, 1 for every 45 degrees off (squared). Negative where the line leaves
 /// the angle.
@@ -17,6 +26,6 @@ double misfit_cost(double wanted, int edges);
 /// "Development of an automatic, two-dimensional finite element mesh generator using quadrilateral elements
 /// and Bezier curve boundary definition", 1990, with the lattice walk (node_loop.h) as a further term: it
 /// sees which lines leave regular parts.
-void fill_by_splitting(MeshDraft& draft, const NodeLoop& loop);
+void fill_by_splitting(MeshDraft& draft, const NodeLoop& loop, const SplitWeights& weights = {});
 
 }  // namespace beadmesh

@@ -10,6 +10,7 @@ MeshDraft::MeshDraft(const NodeLoops& loops, const SurfaceMap* map, double size)
   metrics_.reserve(4 * loops.nodes.size());
   edges_.reserve(8 * loops.nodes.size());
   for (const Vec2& node : loops.nodes) add_node(node);
+  fixed_nodes_ = static_cast<Index>(nodes_.size());
   std::vector<double> sum(nodes_.size(), 0);
   std::vector<int> count(nodes_.size(), 0);
   for (const auto& loop : loops.loops) {
@@ -40,12 +41,16 @@ Index MeshDraft::add_node(Vec2 position) {
   nodes_.push_back(position);
   metrics_.push_back(sample(position));
   spacing_.push_back(size_);
+  valences_.push_back(0);
   return static_cast<Index>(nodes_.size() - 1);
 }
 
 void MeshDraft::add_element(const MeshElement& element) {
   const int corners = is_quad(element) ? 4 : 3;
-  for (int i = 0; i < corners; ++i) add_edge(element[i], element[(i + 1) % corners]);
+  for (int i = 0; i < corners; ++i) {
+    add_edge(element[i], element[(i + 1) % corners]);
+    ++valences_[element[i]];
+  }
   elements_.push_back(element);
 }
 
@@ -90,12 +95,39 @@ std::vector<Index> MeshDraft::add_line(Index a, Index b, int edges) {
   return line;
 }
 
-PlanarMesh MeshDraft::take(std::size_t fixed_nodes) && {
+MeshDraft::Piece MeshDraft::take_back(const Mark& mark) {
+  Piece piece;
+  const auto move_tail = [](auto& all, std::size_t from, auto& tail) {
+    tail.assign(all.begin() + from, all.end());
+    all.resize(from);
+  };
+  move_tail(elements_, mark.elements, piece.elements);
+  for (const MeshElement& element : piece.elements) {
+    for (const Index node : element) valences_[node == no_index ? element[0] : node] -= node != no_index;
+  }
+  move_tail(nodes_, mark.nodes, piece.nodes);
+  move_tail(metrics_, mark.nodes, piece.metrics);
+  move_tail(spacing_, mark.nodes, piece.spacing);
+  valences_.resize(mark.nodes);
+  for (std::size_t i = mark.edges; i < edge_order_.size(); ++i) edges_.erase(edge_order_[i]);
+  edge_order_.resize(mark.edges);
+  return piece;
+}
+
+void MeshDraft::put(const Piece& piece) {
+  nodes_.insert(nodes_.end(), piece.nodes.begin(), piece.nodes.end());
+  metrics_.insert(metrics_.end(), piece.metrics.begin(), piece.metrics.end());
+  spacing_.insert(spacing_.end(), piece.spacing.begin(), piece.spacing.end());
+  valences_.resize(nodes_.size(), 0);
+  for (const MeshElement& element : piece.elements) add_element(element);
+}
+
+PlanarMesh MeshDraft::take() && {
   PlanarMesh mesh;
   mesh.nodes = std::move(nodes_);
   mesh.elements = std::move(elements_);
   mesh.freedom.assign(mesh.nodes.size(), NodeFreedom::free);
-  std::fill_n(mesh.freedom.begin(), fixed_nodes, NodeFreedom::fixed);
+  std::fill_n(mesh.freedom.begin(), fixed_nodes_, NodeFreedom::fixed);
   return mesh;
 }
 

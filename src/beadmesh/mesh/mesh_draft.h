@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <unordered_set>
 #include <vector>
 
@@ -16,6 +17,18 @@ struct SurfaceMetric {
 
 class MeshDraft {
  public:
+  /// A state of the draft to which it can go back.
+  struct Mark {
+    std::size_t nodes = 0, elements = 0, edges = 0;
+  };
+  /// What was added since a mark.
+  struct Piece {
+    std::vector<Vec2> nodes;
+    std::vector<SurfaceMetric> metrics;
+    std::vector<double> spacing;
+    std::vector<MeshElement> elements;
+  };
+
   /// Takes the loops' nodes over, with their metric and their spacing (mean length of the loop edges at a
   /// node).
   MeshDraft(const NodeLoops& loops, const SurfaceMap* map, double size);
@@ -28,7 +41,9 @@ class MeshDraft {
 
   Index add_node(Vec2 position);
   void move_node(Index node, Vec2 position) { nodes_[node] = position; }
-  void add_edge(Index a, Index b) { edges_.insert(key(a, b)); }
+  void add_edge(Index a, Index b) {
+    if (edges_.insert(key(a, b)).second) edge_order_.push_back(key(a, b));
+  }
   bool has_edge(Index a, Index b) const { return edges_.count(key(a, b)) > 0; }
   /// Adds the element and its edges.
   void add_element(const MeshElement& element);
@@ -40,7 +55,17 @@ class MeshDraft {
   /// Nodes a .. b of a line of `edges` edges, graded likewise, with its edges entered.
   std::vector<Index> add_line(Index a, Index b, int edges);
 
-  PlanarMesh take(std::size_t fixed_nodes) &&;
+  Mark mark() const { return {nodes_.size(), elements_.size(), edge_order_.size()}; }
+  /// Takes back what was added since the mark, and returns it.
+  Piece take_back(const Mark& mark);
+  /// Adds a piece again; the draft must be in the state of its mark.
+  void put(const Piece& piece);
+  /// Number of elements at a node.
+  int valence(Index node) const { return valences_[node]; }
+  /// Nodes of the loops; they are the first ones.
+  Index fixed_nodes() const { return fixed_nodes_; }
+
+  PlanarMesh take() &&;
 
  private:
   static std::uint64_t key(Index a, Index b) {
@@ -53,11 +78,13 @@ class MeshDraft {
 
   const SurfaceMap* map_;
   double size_;
-  Index hint_ = no_index;
+  Index hint_ = no_index, fixed_nodes_ = 0;
   std::vector<Vec2> nodes_;
   std::vector<SurfaceMetric> metrics_;
   std::vector<double> spacing_;
+  std::vector<int> valences_;
   std::vector<MeshElement> elements_;
+  std::vector<std::uint64_t> edge_order_;
   std::unordered_set<std::uint64_t> edges_;  // asked for membership only: its order never matters
 };
 

@@ -238,6 +238,8 @@ bool MeshEditor::is_better(const Judgement& after, const Judgement& before, Edit
   if (aim == EditAim::longer_edges)
     return after.shortage < 0.5 * before.shortage && after.worst >= std::min(before.worst, 0.25);
   if (after.shortage > before.shortage) return false;
+  if (aim == EditAim::better_shape)
+    return after.worst > before.worst + 0.05 && after.excess <= before.excess + 1e-9;
   if (aim == EditAim::fewer_triangles) return after.worst >= std::min(before.worst, 0.3);
   const double gain = before.penalty - after.penalty;
   if (gain < 0.5 || after.excess > before.excess + 1e-9) return false;
@@ -245,7 +247,8 @@ bool MeshEditor::is_better(const Judgement& after, const Judgement& before, Edit
   return after.worst >= std::min(before.worst, limits_.good_enough);
 }
 
-void MeshEditor::smooth_zone(const std::vector<Index>& zone) {
+/// Cheap moves first; false where they show that the edit leads nowhere.
+bool MeshEditor::smooth_zone(const std::vector<Index>& zone) {
   const auto worst = [&] {
     double result = 1;
     for (const Index node : zone) result = std::min(result, motion_.worst_around(node));
@@ -254,17 +257,24 @@ void MeshEditor::smooth_zone(const std::vector<Index>& zone) {
   for (int round = 0; round < 6 && worst() < 0.05; ++round)
     for (const Index node : zone)
       if (motion_.worst_around(node) < 0.1) motion_.untangle(node);
-  for (int round = 0; round < 4; ++round)
-    for (const Index node : zone) motion_.relax(node);
+  for (int round = 0; round < 4; ++round) {
+    bool moved = false;
+    for (const Index node : zone)
+      if (motion_.relax(node)) moved |= motion_.last_step() > 0.03 * limits_.size;
+    if (!moved) break;
+    if (round == 1 && worst() < 0) return false;
+  }
   for (int round = 0; round < 4; ++round) {
     bool moved = false;
     for (const Index node : zone) {
       const double quality = motion_.worst_around(node);
-      if (quality > 0.85 && motion_.shortfall(node) <= 0) continue;
-      moved |= motion_.optimise(node, quality < 0.7 ? MotionAim::worst : MotionAim::mean);
+      if (quality > 0.8 && motion_.shortfall(node) <= 0) continue;
+      if (motion_.optimise(node, quality < 0.7 ? MotionAim::worst : MotionAim::mean))
+        moved |= motion_.last_step() > 0.01 * limits_.size;
     }
     if (!moved) break;
   }
+  return true;
 }
 
 bool MeshEditor::try_replace(const Replacement& edit, EditAim aim, std::vector<Index>& touched) {
@@ -283,8 +293,7 @@ bool MeshEditor::try_replace(const Replacement& edit, EditAim aim, std::vector<I
   }
   const std::vector<Index> zone = zone_around(rim);
   for (const Index node : zone) undo.places.emplace_back(node, nodes_[node]);
-  smooth_zone(zone);
-  if (!is_better(judge(rim, zone), old, aim)) {
+  if (!smooth_zone(zone) || !is_better(judge(rim, zone), old, aim)) {
     roll_back(undo);
     return false;
   }

@@ -26,6 +26,7 @@ struct EditorLimits {
 enum class EditAim {
   fewer_irregular,  ///< the sum of penalties falls, shape and size do not suffer
   longer_edges,     ///< edges below the minimum get fewer
+  better_shape,     ///< the worst scaled Jacobian around rises clearly
   fewer_triangles,  ///< for edits that marry triangles: nothing but sound shapes
 };
 
@@ -83,7 +84,7 @@ class MeshEditor {
   std::vector<Index> zone_around(const std::vector<Index>& nodes) const;
   Judgement judge(const std::vector<Index>& nodes, const std::vector<Index>& zone) const;
   bool is_better(const Judgement& after, const Judgement& before, EditAim aim) const;
-  void smooth_zone(const std::vector<Index>& zone);
+  bool smooth_zone(const std::vector<Index>& zone);
 
   EditorLimits limits_;
   SurfaceNodes nodes_;

@@ -11,8 +11,9 @@ namespace {
 /// A disc of quads that grows; its outline, and how many of its quads each outline node has.
 class Patch {
  public:
-  Patch(const MeshEditor& editor, int max_quads)
-      : editor_(editor), mesh_(editor.mesh()), max_quads_(max_quads) {}
+  /// `marks` per element: those with `number` are in the patch.
+  Patch(const MeshEditor& editor, size_t max_quads, std::vector<int>& marks, int number)
+      : editor_(editor), mesh_(editor.mesh()), max_quads_(max_quads), marks_(marks), number_(number) {}
 
   const std::vector<Index>& quads() const { return quads_; }
   const std::vector<Index>& loop() const { return loop_; }
@@ -42,14 +43,15 @@ class Patch {
   }
 
  private:
-  bool contains(Index quad) const { return std::binary_search(quads_.begin(), quads_.end(), quad); }
+  bool contains(Index quad) const { return marks_[quad] == number_; }
 
   bool add_all(const std::vector<Index>& quads) {
-    for (const Index e : quads)
+    for (const Index e : quads) {
       if (!is_quad(mesh_.element(e))) return false;
-    quads_.insert(quads_.end(), quads.begin(), quads.end());
-    std::sort(quads_.begin(), quads_.end());
-    quads_.erase(std::unique(quads_.begin(), quads_.end()), quads_.end());
+      if (contains(e)) continue;
+      marks_[e] = number_;
+      quads_.push_back(e);
+    }
     return quads_.size() <= max_quads_;
   }
 
@@ -71,12 +73,15 @@ class Patch {
 
   /// The outline as one counter-clockwise loop that meets no node twice.
   bool trace() {
-    std::vector<std::pair<Index, Index>> edges, outline;
-    for (const Index e : quads_)
-      for (int i = 0; i < 4; ++i) edges.emplace_back(mesh_.element(e)[i], mesh_.element(e)[(i + 1) % 4]);
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [a, b] : edges)
-      if (!std::binary_search(edges.begin(), edges.end(), std::pair{b, a})) outline.emplace_back(a, b);
+    std::vector<std::pair<Index, Index>> outline;
+    for (const Index e : quads_) {
+      const MeshElement& quad = mesh_.element(e);
+      for (int i = 0; i < 4; ++i) {
+        const Index a = quad[i], b = quad[(i + 1) % 4], across = mesh_.element_with_edge(b, a);
+        if (across == no_index || !contains(across)) outline.emplace_back(a, b);
+      }
+    }
+    std::sort(outline.begin(), outline.end());
     for (size_t i = 1; i < outline.size(); ++i)
       if (outline[i].first == outline[i - 1].first) return false;
     loop_.clear();
@@ -101,6 +106,8 @@ class Patch {
   const MeshEditor& editor_;
   const QuadConnectivity& mesh_;
   size_t max_quads_;
+  std::vector<int>& marks_;
+  int number_;
   std::vector<Index> quads_, loop_, sorted_loop_;
 };
 
@@ -121,8 +128,8 @@ class CornerSearch {
     }
   }
 
-  /// Fillable choices with a penalty below `limit`, best first: natural corners, and up to two changes to
-  /// them.
+  /// The two best fillable choices with a penalty below `limit`, best first: natural corners, up to two
+  /// changes to them.
   std::vector<CornerChoice> run(double limit) {
     limit_ = limit;
     std::vector<int> natural;
@@ -130,8 +137,6 @@ class CornerSearch {
       if (change_[i] < 0) natural.push_back(i);
     if (natural.size() < 2 || natural.size() > 7) return {};
     vary(natural, 2);
-    std::stable_sort(found_.begin(), found_.end(),
-                     [](const auto& a, const auto& b) { return a.penalty < b.penalty; });
     return std::move(found_);
   }
 
@@ -174,7 +179,14 @@ class CornerSearch {
     std::array<int, 5> sides;
     for (size_t i = 0; i < corners.size(); ++i)
       sides[i] = i + 1 < corners.size() ? corners[i + 1] - corners[i] : corners[0] - corners[i] + size_;
-    if (patch_divisions({sides.data(), corners.size()})) found_.push_back({penalty, corners});
+    if (!patch_divisions({sides.data(), corners.size()})) return;
+    if (found_.size() == 1 && found_[0].corners == corners) return;
+    found_.push_back({penalty, corners});
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.penalty < b.penalty; });
+    if (found_.size() < 3) return;
+    found_.pop_back();
+    limit_ = found_.back().penalty;
   }
 
   int size_;
@@ -191,8 +203,8 @@ bool fill_anew(MeshEditor& editor, const Patch& patch, std::vector<Index>& touch
   const std::vector<CornerChoice> choices = CornerSearch(editor, patch).run(penalty - 0.5);
   std::vector<Vec2> positions;
   for (const Index node : patch.loop()) positions.push_back(editor.nodes().flat(node));
-  for (size_t i = 0; i < std::min<size_t>(2, choices.size()); ++i) {
-    PatchFill fill = fill_patch(patch.loop(), positions, choices[i].corners, editor.mesh().node_count());
+  for (const CornerChoice& choice : choices) {
+    PatchFill fill = fill_patch(patch.loop(), positions, choice.corners, editor.mesh().node_count());
     Replacement edit{patch.quads(), std::move(fill.new_nodes), std::move(fill.quads), {}};
     if (editor.try_replace(edit, EditAim::fewer_irregular, touched)) return true;
   }
@@ -201,12 +213,13 @@ bool fill_anew(MeshEditor& editor, const Patch& patch, std::vector<Index>& touch
 
 }  // namespace
 
-bool replace_patch(MeshEditor& editor, Index seed, const PatchOptions& options, std::vector<Index>& touched) {
-  if (!editor.is_irregular(seed) || editor.is_boundary(seed)) return false;
-  Patch patch(editor, options.max_quads);
+bool PatchReplacement::improve(Index seed, int max_quads, std::vector<Index>& touched) {
+  if (!editor_.is_irregular(seed)) return false;
+  marks_.resize(editor_.mesh().element_count(), 0);
+  Patch patch(editor_, max_quads, marks_, ++patches_);
   if (!patch.start(seed)) return false;
   do {
-    if (fill_anew(editor, patch, touched)) return true;
+    if (fill_anew(editor_, patch, touched)) return true;
   } while (patch.grow_ring());
   return false;
 }

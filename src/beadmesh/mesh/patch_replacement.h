@@ -7,14 +7,21 @@
 
 namespace beadmesh {
 
-struct PatchOptions {
-  int max_quads = 120;  ///< default 120: a patch does not grow beyond
-};
+/// Grows a patch around an irregular node, keeps its outline free of inward corners, and fills it with three,
+/// four or five blocks once that leaves fewer irregular nodes inside and on the outline (Bunin, "Non-local
+/// topological clean-up", 2006; Verma and Tautges, "Jaal", 2012).
+class PatchReplacement {
+ public:
+  explicit PatchReplacement(MeshEditor& editor) : editor_(editor) {}
 
-/// Grows a patch around the irregular node, keeps its outline free of inward corners, and fills it with
-/// three, four or five blocks once that leaves fewer irregular nodes inside and on the outline (Bunin,
-/// "Non-local topological clean-up", 2006; Verma and Tautges, "Jaal", 2012). False where no size of patch
-/// helps.
-bool replace_patch(MeshEditor& editor, Index seed, const PatchOptions& options, std::vector<Index>& touched);
+  /// Replaces the smallest patch of at most `max_quads` around `seed` that can do with fewer irregular nodes;
+  /// false where none can. `touched`: the nodes in and around the new patch.
+  bool improve(Index seed, int max_quads, std::vector<Index>& touched);
+
+ private:
+  MeshEditor& editor_;
+  std::vector<int> marks_;  ///< per element: the number of the patch that has it
+  int patches_ = 0;
+};
 
 }  // namespace beadmesh

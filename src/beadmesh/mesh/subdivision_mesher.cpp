@@ -1,6 +1,7 @@
 #include "beadmesh/mesh/subdivision_mesher.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -8,12 +9,15 @@
 #include "beadmesh/mesh/loop_connection.h"
 #include "beadmesh/mesh/loop_splitting.h"
 #include "beadmesh/mesh/mesh_draft.h"
+#include "beadmesh/mesh/mesh_trial.h"
 #include "beadmesh/mesh/segment_grid.h"
 
 namespace beadmesh {
 namespace {
 
-constexpr double core_clearance = 1.2;
+// Trials of the lattice core's distance from the loops, in steps; 0: without a core.
+constexpr std::array<double, 3> core_clearances{1.1, 1.6, 0};
+constexpr double small_face = 2500;  // cells: up to here all are tried
 
 // Why the loops cannot be meshed, in words; empty where they can.
 std::string complaint(const NodeLoops& loops) {
@@ -86,11 +90,83 @@ std::vector<std::vector<NodeLoop>> areas_of(const MeshDraft& draft, const std::v
   return areas;
 }
 
+struct Attempt {
+  SplitWeights weights;
+  bool against_vote = false;
+};
+
+// No single set of weights is best everywhere; areas are small, so that trying all costs little.
+const std::vector<Attempt>& attempts() {
+  static const std::vector<Attempt> all{
+      {{}, false},
+      {{4, 0.4, 0.3, 0.1, 0.3}, false},
+      {{2, 0.08, 0.3, 0.1, 0.1}, false},
+      {{6, 0.2, 0.1, 0.2, 0.3}, false},
+      {{}, true},
+  };
+  return all;
+}
+
+// A trial's best outcome so far; ends with the best one in the draft.
+class BestPiece {
+ public:
+  explicit BestPiece(MeshDraft& draft) : draft_(draft), mark_(draft.mark()) {}
+
+  const MeshDraft::Mark& mark() const { return mark_; }
+  bool found() const { return cost_ < 1e300; }
+  void offer(bool valid) {
+    const double cost = valid ? relax_and_judge(draft_, mark_) : 1e300;
+    MeshDraft::Piece piece = draft_.take_back(mark_);
+    if (cost < cost_) cost_ = cost, piece_ = std::move(piece);
+  }
+  void keep() { draft_.put(piece_); }
+
+ private:
+  MeshDraft& draft_;
+  MeshDraft::Mark mark_;
+  MeshDraft::Piece piece_;
+  double cost_ = 1e300;
+};
+
 bool fill_area(MeshDraft& draft, const std::vector<NodeLoop>& loops) {
-  const NodeLoop loop = loops.size() == 1 ? loops[0] : connect_loops(draft, loops);
-  if (loop.empty()) return false;
-  fill_by_splitting(draft, loop);
-  return true;
+  BestPiece best(draft);
+  for (const Attempt& attempt : attempts()) {
+    if (attempt.against_vote && loops.size() == 1) continue;
+    const NodeLoop loop = loops.size() == 1 ? loops[0] : connect_loops(draft, loops, attempt.against_vote);
+    if (!loop.empty()) fill_by_splitting(draft, loop, attempt.weights);
+    best.offer(!loop.empty());
+  }
+  if (best.found()) best.keep();
+  return best.found();
+}
+
+// `clearance` of the lattice core in steps; 0: no core.
+bool fill_face(MeshDraft& draft, const std::vector<NodeLoop>& loops, double clearance) {
+  std::vector<NodeLoop> all = loops;
+  if (clearance > 0) {
+    auto outlines = add_lattice_core(draft, all, fit_lattice(draft, all), clearance);
+    if (outlines.empty()) return false;
+    all.insert(all.end(), outlines.begin(), outlines.end());
+  }
+  const auto areas = areas_of(draft, all, loops.size());
+  return std::all_of(areas.begin(), areas.end(), [&](const auto& area) { return fill_area(draft, area); });
+}
+
+bool fill_small_face(MeshDraft& draft, const std::vector<NodeLoop>& loops) {
+  BestPiece best(draft);
+  for (const double clearance : core_clearances) best.offer(fill_face(draft, loops, clearance));
+  if (best.found()) best.keep();
+  return best.found();
+}
+
+// Without trials of the core: the first that works.
+bool fill_large_face(MeshDraft& draft, const std::vector<NodeLoop>& loops) {
+  const MeshDraft::Mark mark = draft.mark();
+  for (const double clearance : core_clearances) {
+    if (fill_face(draft, loops, clearance)) return true;
+    draft.take_back(mark);
+  }
+  return false;
 }
 
 }  // namespace
@@ -103,17 +179,11 @@ Result<PlanarMesh> mesh_by_subdivision(const NodeLoops& loops, const SurfaceMap*
   if (const std::string words = complaint(loops); !words.empty())
     return fail("mesh.subdivision.loops", words);
   MeshDraft draft(loops, map, options.size);
-  std::vector<NodeLoop> all = loops.loops;
-  if (core_clearance > 0) {
-    auto outlines = add_lattice_core(draft, all, fit_lattice(draft, all), core_clearance);
-    all.insert(all.end(), outlines.begin(), outlines.end());
-  }
-  for (const auto& area : areas_of(draft, all, loops.loops.size())) {
-    if (!fill_area(draft, area)) {
-      return fail("mesh.subdivision.connection", "a hole or inner line sees no other loop");
-    }
-  }
-  return std::move(draft).take(loops.nodes.size());
+  const double cells = std::abs(signed_area(loops.nodes, loops.loops[0])) / (options.size * options.size);
+  const bool meshed =
+      cells > small_face ? fill_large_face(draft, loops.loops) : fill_small_face(draft, loops.loops);
+  if (!meshed) return fail("mesh.subdivision.connection", "a hole or inner line sees no other loop");
+  return std::move(draft).take();
 }
 
 }  // namespace beadmesh

@@ -46,12 +46,14 @@ CleanupReport clean_up(PlanarMesh& mesh, const SurfaceMap* map,
     return improve_locally(editor, node, touched);
   };
   report.edits += sweep(editor, options.passes, locally);
+  PatchReplacement patches(editor);
   for (const int quads : {20, 60, 150}) {
     report.edits += sweep(editor, options.passes, [&](Index node, std::vector<Index>& touched) {
-      return replace_patch(editor, node, {quads}, touched);
+      return patches.improve(node, quads, touched);
     });
     report.edits += sweep(editor, options.passes, locally) + marry_triangles(editor);
   }
+  report.edits += improve_shapes(editor, 0.6);
   report.edits += remove_short_edges(editor);
   report.irregular_after = editor.count_irregular();
   report.trias_after = editor.count_triangles();

@@ -29,6 +29,11 @@ struct Facets {
   std::vector<std::shared_ptr<const SurfaceEvaluator>> surfaces;  ///< per index in Panel::faces; null: none
 };
 
+/// Triangles on shared points (indices into `points`, which become panel_points) as facets of their own: local vertices, loops
+/// traced, outer first; triangles keep their order. A point where the piece only touches itself becomes several
+/// vertices. No uv, no faces.
+Facets facets_of_triangles(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
+
 /// Sum of the area vectors of the triangles, mm^2; its direction is the mean normal.
 Vec3 vector_area(const Facets& facets);
 

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
-
-#include "beadmesh/read/orientation.h"
 
 namespace beadmesh {
 namespace {
@@ -24,7 +23,9 @@ class SkinBuilder {
     pair_half_edges();
     orient();
     split_regions();
-    for (Index r = 0; r < region_count_; ++r) add_face(r);
+    std::vector<std::vector<Triangle>> regions(region_count_);
+    for (Index t = 0; t < triangle_count(); ++t) regions[region_[t]].push_back(triangles_[t]);
+    for (const std::vector<Triangle>& region : regions) add_face(region);
     return std::move(panel_);
   }
 
@@ -37,17 +38,7 @@ class SkinBuilder {
     std::vector<Vec3> all;
     for (const Corners& corners : facets) all.insert(all.end(), corners.begin(), corners.end());
     panel_.points = all;
-    const double tolerance = 1e-6 * diagonal(panel_);
-    std::vector<Index> order(all.size()), to(all.size(), no_index);
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-    std::sort(order.begin(), order.end(),
-              [&](Index a, Index b) { return all[a].x != all[b].x ? all[a].x < all[b].x : a < b; });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (to[order[i]] != no_index) continue;
-      to[order[i]] = order[i];
-      for (std::size_t j = i + 1; j < order.size() && all[order[j]].x <= all[order[i]].x + tolerance; ++j)
-        if (to[order[j]] == no_index && distance(all[order[j]], all[order[i]]) <= tolerance) to[order[j]] = order[i];
-    }
+    const std::vector<Index> to = representatives(all, 1e-6 * diagonal(panel_));
     std::vector<Index> number(all.size(), no_index);
     panel_.points.clear();
     for (std::size_t c = 0; c < all.size(); c += 3) {
@@ -61,6 +52,38 @@ class SkinBuilder {
       triangles_.push_back({number[a], number[b], number[d]});
     }
     drop_repeated();
+  }
+
+  /// Per point the first one within the tolerance. Cells of that size; equal points, the common case, are found first.
+  static std::vector<Index> representatives(const std::vector<Vec3>& points, double tolerance) {
+    using Cell = std::array<std::int64_t, 3>;
+    double reach = 1e-300;
+    for (const Vec3 p : points) reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    const double size = std::max(tolerance, 1e-15 * reach);  // cells must stay countable
+    std::map<std::array<double, 3>, Index> exact;
+    std::map<Cell, Index> cells;
+    std::vector<Index> result;
+    for (Index i = 0; i < static_cast<Index>(points.size()); ++i) {
+      const Vec3 p = points[i];
+      const auto [found, is_new] = exact.try_emplace({p.x, p.y, p.z}, i);
+      if (is_new) {
+        const auto part = [&](double x) { return static_cast<std::int64_t>(std::floor(x / size)); };
+        const Cell at{part(p.x), part(p.y), part(p.z)};
+        found->second = nearby(points, cells, at, i, tolerance);
+        if (found->second == i) cells.emplace(at, i);
+      }
+      result.push_back(found->second);
+    }
+    return result;
+  }
+
+  template <class Cells, class Cell>
+  static Index nearby(const std::vector<Vec3>& points, const Cells& cells, const Cell& at, Index i, double tolerance) {
+    for (int n = 0; n < 27; ++n) {
+      const auto found = cells.find({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
+      if (found != cells.end() && distance(points[found->second], points[i]) <= tolerance) return found->second;
+    }
+    return i;
   }
 
   void drop_repeated() {
@@ -168,8 +191,8 @@ class SkinBuilder {
     std::map<std::pair<Index, Index>, int> seen;
     for (Index h = 0; h < 3 * triangle_count(); ++h) {
       if (!is_line(h)) continue;
-      const auto key = std::minmax(tail(h), head(h));
-      if (seen[{key.first, key.second}]++ > 0) continue;
+      const auto key = std::minmax({tail(h), head(h)});
+      if (seen[std::pair{key.first, key.second}]++ > 0) continue;
       ends[tail(h)].push_back(head(h));
       ends[head(h)].push_back(tail(h));
     }
@@ -181,16 +204,47 @@ class SkinBuilder {
     }
   }
 
-  void add_face(Index r) {
-    Panel piece;  // of this region alone, to borrow the tracing of composite faces
-    piece.points = panel_.points;
+  void add_face(const std::vector<Triangle>& triangles) {
     PanelFace face;
-    fill_facets(r, face.facets);
-    face.number = r + 1;
+    face.facets = facets_of_triangles(panel_.points, triangles);
     const Index id = static_cast<Index>(panel_.faces.size());
-    face.facets.triangle_face.assign(face.facets.triangles.size(), id);
+    face.number = id + 1;
+    face.facets.triangle_face.assign(triangles.size(), id);
     for (std::vector<Index>& loop : face.facets.loops) face.loops.push_back(edges_of(loop, face.facets, id));
     panel_.faces.push_back(std::move(face));
+  }
+
+  /// Turns the loop to begin at a corner (or else at its smallest point, so that both its faces begin alike) and cuts it.
+  std::vector<EdgeUse> edges_of(std::vector<Index>& loop, const Facets& facets, Index face) {
+    const auto point = [&](Index v) { return facets.panel_points[v]; };
+    auto start = std::find_if(loop.begin(), loop.end(), [&](Index v) { return is_corner_[point(v)]; });
+    if (start == loop.end())
+      start = std::min_element(loop.begin(), loop.end(), [&](Index a, Index b) { return point(a) < point(b); });
+    std::rotate(loop.begin(), start, loop.end());
+    std::vector<EdgeUse> uses;
+    std::vector<Index> run{point(loop.front())};
+    for (std::size_t i = 1; i <= loop.size(); ++i) {
+      run.push_back(point(loop[i % loop.size()]));
+      if (i < loop.size() && !is_corner_[run.back()]) continue;
+      uses.push_back(edge_along(run, face));
+      run = {run.back()};
+    }
+    return uses;
+  }
+
+  EdgeUse edge_along(const std::vector<Index>& run, Index face) {
+    const std::pair<Index, Index> first{run[0], run[1]}, last{run.back(), run[run.size() - 2]};
+    auto found = edge_from_.find(first);
+    if (found == edge_from_.end()) {
+      const Index e = static_cast<Index>(panel_.edges.size());
+      PanelEdge edge;
+      edge.points = run;
+      panel_.edges.push_back(std::move(edge));
+      edge_from_[last] = {e, true};
+      found = edge_from_.insert_or_assign(first, EdgeUse{e, false}).first;
+    }
+    panel_.edges[found->second.edge].faces.push_back(face);
+    return found->second;
   }
 
   const double feature_angle_;
@@ -198,8 +252,14 @@ class SkinBuilder {
   std::vector<Triangle> triangles_;
   std::vector<Index> partner_, region_, turned_;
   std::vector<bool> is_corner_;
+  std::map<std::pair<Index, Index>, EdgeUse> edge_from_;  // first segment -> the edge that begins with it
   Index region_count_ = 0;
 };
 
 }  // namespace
+
+Panel panel_of_facets(const std::vector<std::array<Vec3, 3>>& facets, double feature_angle) {
+  return SkinBuilder(feature_angle).build(facets);
+}
+
 }  // namespace beadmesh

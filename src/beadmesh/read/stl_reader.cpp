@@ -28,11 +28,11 @@ std::uint32_t count_in_header(const std::string& bytes) {
   return count;
 }
 
-/// Binary files may begin with "solid", too: their length decides.
+/// Binary files may begin with "solid", too: their length decides, and where it does not fit, the words.
 bool is_binary(const std::string& bytes) {
   if (bytes.size() < binary_header) return false;
   if (bytes.size() == binary_header + binary_facet * static_cast<std::size_t>(count_in_header(bytes))) return true;
-  return bytes.compare(0, 5, "solid") != 0;
+  return bytes.find('\0') != std::string::npos;
 }
 
 Result<std::vector<Corners>> parse_binary(const std::string& bytes, const std::string& name) {
