@@ -11,7 +11,7 @@ import unittest
 PROGRAM = os.environ["BEADMESH"]
 MAKE_EXAMPLE_PANEL = os.environ["MAKE_EXAMPLE_PANEL"]
 EXAMPLES = pathlib.Path(os.environ["EXAMPLE_FOLDER"])
-TIMEOUT = 600  # seconds: a hang is a failure
+TIMEOUT = 120  # seconds: a hang is a failure, not a wait
 
 
 def run(*arguments):

@@ -108,15 +108,16 @@ TEST(Flatten, SphericalCapIsSymmetricAndLittleDistorted) {
     low = std::min(low, norm(flat->positions[v]));
     high = std::max(high, norm(flat->positions[v]));
   }
-  EXPECT_NEAR(low, high, 0.03);
+  EXPECT_NEAR(low, high, 0.05);
 }
 
 /// Distance of the crest points (z = height before bending, plan y = 0) from the middle line of the flat
 /// image.
 void expect_crest_in_the_middle(const Facets& plain, const FlatFace& flat, double height, double tolerance) {
-  for (std::size_t v = 0; v < plain.points.size(); ++v)
-    if (plain.points[v].z > height - 1e-9)
-      EXPECT_NEAR(flat.positions[v].y, 0, tolerance) << plain.points[v].x;
+  for (std::size_t v = 0; v < plain.points.size(); ++v) {
+    if (plain.points[v].z < height - 1e-9) continue;
+    EXPECT_NEAR(flat.positions[v].y, 0, tolerance) << plain.points[v].x;
+  }
 }
 
 TEST(Flatten, CrestOfADomeMapsToTheMiddle) {
@@ -145,7 +146,55 @@ TEST(Flatten, CrestOfADomeOnACylinderMapsToTheMiddle) {
   const Facets facets = shapes::stadium_dome(160, 16, 5, 192, 14, bend);
   const auto flat = flatten(facets);
   ASSERT_TRUE(flat) << flat.error().message;
-  expect_crest_in_the_middle(plain, *flat, 5, 0.02);
+  expect_crest_in_the_middle(plain, *flat, 5, 0.05);
+}
+
+TEST(Flatten, RingWithSteepWallsKeepsItsWinding) {
+  // Walls of 70 degrees: the turn unrolled around them misses a full turn by more than half a turn.
+  const double pitch = 10;
+  Facets facets;
+  const Index around = 120, across = 16;
+  for (Index j = 0; j <= across; ++j)
+    for (Index i = 0; i < around; ++i) {
+      const double a = 2 * pi * i / around, s = 2.0 * j / across - 1, r = 60 + pitch * s;
+      facets.points.push_back({r * std::cos(a), r * std::sin(a), 17 * std::pow(std::cos(s * pi / 2), 2)});
+    }
+  for (Index j = 0; j < across; ++j)
+    for (Index i = 0; i < around; ++i) {
+      const Index a = j * around + i, b = j * around + (i + 1) % around;
+      facets.triangles.push_back({a, a + around, b + around});
+      facets.triangles.push_back({a, b + around, b});
+    }
+  facets = shapes::finished(facets);
+  const auto flat = flatten(facets);
+  ASSERT_TRUE(flat) << flat.error().message;
+  expect_no_flips(facets, *flat);
+  double low = 1e9, high = 0;
+  for (const Index v : facets.loops[0]) {
+    low = std::min(low, norm(flat->positions[v]));
+    high = std::max(high, norm(flat->positions[v]));
+  }
+  EXPECT_NEAR(low, high, 0.01);
+  EXPECT_GT(low, 70);
+}
+
+TEST(Flatten, ArcOfALongBeadOpensAsFarAsItMust) {
+  // The section of an arc bead is wider on the surface than in plan; so the arc opens (by about the mean
+  // cosine of its walls), whatever sweeps that takes: the result is converged.
+  const Facets facets = shapes::sheet(160, 16, [](double s, double t) {
+    const double a = 3 * s, r = 60 - 8 * (2 * t - 1), z = 5 * std::pow(std::cos((2 * t - 1) * pi / 2), 2);
+    return Vec3{r * std::cos(a), r * std::sin(a), z};
+  });
+  const auto flat = flatten(facets);
+  FlattenOptions exact;
+  exact.convergence = 1e-12;
+  exact.iterations = 100000;
+  const auto best = flatten(facets, exact);
+  ASSERT_TRUE(flat && best);
+  double worst = 0;
+  for (std::size_t v = 0; v < facets.points.size(); ++v)
+    worst = std::max(worst, distance(flat->positions[v], best->positions[v]));
+  EXPECT_LT(worst, 0.01);
 }
 
 TEST(Flatten, DiscWithManyHolesOnACylinder) {

@@ -41,7 +41,7 @@ TEST(RigidLayout, StraightensABentStrip) {
     bent.push_back({r * std::sin(angle), -r * std::cos(angle)});
   }
   const RigidLayout layout(facets.points.size(), facets.triangles, rest_of(facets));
-  const std::vector<Vec2> relaxed = layout.relaxed(bent, 100, 1e-6);
+  const std::vector<Vec2> relaxed = layout.relaxed(bent, 300, 1e-6);
   double energy = 1;
   layout.rotations(relaxed, &energy);
   EXPECT_NEAR(energy, 0, 1e-3);

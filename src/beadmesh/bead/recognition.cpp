@@ -127,7 +127,7 @@ Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const
   const Skeleton skeleton = skeleton_of(medial);
   bead.kind = kind_of(medial, study.region.loops.size());
   bead.shape = shape_letter(skeleton);
-  bead.ridge = curves_of(study, ridge_of(moved_to_crest(skeleton, *study.map), study.region));
+  bead.ridge = curves_of(study, ridge_of(moved_to_crest(skeleton, *study.map), study.region, study.map.get()));
   const RidgeCurve& longest = *std::max_element(bead.ridge.begin(), bead.ridge.end(), [](auto& a, auto& b) {
     return a.points.size() < b.points.size();
   });

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "beadmesh/bead/plan_frame.h"
+
 namespace beadmesh {
 namespace {
 
@@ -96,8 +98,9 @@ std::optional<Tip> first_hit(const PlanarRegion& region, Vec2 from, Vec2 directi
 
 class RidgeBuilder {
  public:
-  RidgeBuilder(const Skeleton& skeleton, const PlanarRegion& region, const RidgeOptions& options)
-      : skeleton_(skeleton), region_(region), options_(options) {}
+  RidgeBuilder(const Skeleton& skeleton, const PlanarRegion& region, const SurfaceMap* map,
+               const RidgeOptions& options)
+      : skeleton_(skeleton), region_(region), map_(map), options_(options) {}
 
   RidgeGraph run() {
     for (const SkeletonNode& node : skeleton_.nodes)
@@ -166,26 +169,40 @@ class RidgeBuilder {
     return std::min(reach, std::max(most, 0.45 * along.back()));
   }
 
+  /// Normal of the sheet: mean over the feet of the arms' first medial points.
+  Vec3 up_at(const std::vector<std::pair<Index, bool>>& ends) const {
+    Vec3 sum;
+    for (const auto& [a, at_end] : ends) {
+      const auto& points = skeleton_.arms[a].points;
+      for (const Foot& foot : (at_end ? points.back() : points.front()).feet)
+        if (map_) sum += map_->normal(map_->locate(foot.point));
+    }
+    return normalized(sum);
+  }
+
   /// Squares a T; the arms of any other junction are carried on straight to where they meet best.
   void straighten(Index n) {
     const auto ends = ends_at(n);
     RidgeNode& node = graph_.nodes[n];
+    const PlanFrame frame(map_, node.point, up_at(ends));
     std::vector<Reached> reached;
     for (const auto& end : ends) {
-      const Polyline points = oriented(graph_.arms[end.first].points, end.second);
+      Polyline points = oriented(graph_.arms[end.first].points, end.second);
       if (points.size() < 2) return;
+      for (Vec2& p : points) p = frame.to_plan(p);
       reached.push_back(walk(points, reach_of(end, node.radius)));
     }
+    const Vec2 centre = frame.to_plan(node.point);
     auto target = reached.size() == 3 ? squared_position(reached) : std::nullopt;
-    if (!target) target = best_meeting(reached, node);
-    if (!target || distance(*target, node.point) > node.radius) return;
-    node.point = *target;
+    if (!target) target = best_meeting(reached, node.radius);
+    if (!target || distance(*target, centre) > node.radius) return;
+    node.point = frame.to_flat(*target, node.point);
     node.squared = true;
-    for (size_t k = 0; k < ends.size(); ++k) replace_end(ends[k].first, ends[k].second, reached[k], *target);
+    for (size_t k = 0; k < ends.size(); ++k) replace_end(ends[k].first, ends[k].second, reached[k], *target, frame);
   }
 
   /// Point nearest to all the arms' lines (least squares); none where they miss it by a tenth of the radius.
-  static std::optional<Vec2> best_meeting(const std::vector<Reached>& reached, const RidgeNode& node) {
+  static std::optional<Vec2> best_meeting(const std::vector<Reached>& reached, double radius) {
     double xx = 0, xy = 0, yy = 0;
     Vec2 b{0, 0};
     for (const Reached& r : reached) {
@@ -199,7 +216,7 @@ class RidgeBuilder {
     if (det < 0.05) return std::nullopt;
     const Vec2 at{(b.x * yy - b.y * xy) / det, (b.y * xx - b.x * xy) / det};
     for (const Reached& r : reached)
-      if (std::abs(cross(r.tangent, at - r.point)) > 0.1 * node.radius) return std::nullopt;
+      if (std::abs(cross(r.tangent, at - r.point)) > 0.1 * radius) return std::nullopt;
     return at;
   }
 
@@ -221,29 +238,31 @@ class RidgeBuilder {
     return best;
   }
 
-  void replace_end(Index a, bool at_end, const Reached& reached, Vec2 target) {
-    Polyline points = oriented(graph_.arms[a].points, at_end);
-    Polyline cut{target};
-    if (reached.kept < points.size()) {
-      cut.push_back(reached.point);
-      cut.insert(cut.end(), points.begin() + reached.kept, points.end());
-    } else {
-      cut.push_back(points.back());
-    }
-    cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
+  /// The arm's end up to the reached point becomes a straight line in plan, in eight pieces.
+  void replace_end(Index a, bool at_end, const Reached& reached, Vec2 target, const PlanFrame& frame) {
+    const Polyline points = oriented(graph_.arms[a].points, at_end);
+    const bool whole = reached.kept >= points.size();
+    Polyline cut{at_end ? graph_.nodes[graph_.arms[a].end].point : graph_.nodes[graph_.arms[a].start].point};
+    const Vec2 to = whole ? frame.to_plan(points.back()) : reached.point;
+    for (int i = 1; i <= 8; ++i) cut.push_back(frame.to_flat(lerp(target, to, i / 8.0), cut.back()));
+    if (whole) cut.back() = points.back();
+    for (size_t k = reached.kept; k < points.size(); ++k)
+      if (distance(points[k], cut.back()) > 1e-6) cut.push_back(points[k]);
     graph_.arms[a].points = oriented(cut, at_end);
   }
 
   const Skeleton& skeleton_;
   const PlanarRegion& region_;
+  const SurfaceMap* map_;
   RidgeOptions options_;
   RidgeGraph graph_;
 };
 
 }  // namespace
 
-RidgeGraph ridge_of(const Skeleton& skeleton, const PlanarRegion& region, const RidgeOptions& options) {
-  return RidgeBuilder(skeleton, region, options).run();
+RidgeGraph ridge_of(const Skeleton& skeleton, const PlanarRegion& region, const SurfaceMap* map,
+                    const RidgeOptions& options) {
+  return RidgeBuilder(skeleton, region, map, options).run();
 }
 
 }  // namespace beadmesh

@@ -5,6 +5,7 @@
 
 #include "beadmesh/bead/skeleton.h"
 #include "beadmesh/delaunay/planar_region.h"
+#include "beadmesh/flatten/flat_face.h"
 
 namespace beadmesh {
 
@@ -41,7 +42,9 @@ struct RidgeOptions {
 
 /// Arms end at the tips on the boundary. Nodes of three arms are squared where both conditions of section 4.3 hold; other
 /// junctions move to the point where their arms, carried on straight from beyond the fillets, meet best. The reach is the
-/// inscribed radius as in the paper, or further, until the thickness has settled.
-RidgeGraph ridge_of(const Skeleton& skeleton, const PlanarRegion& region, const RidgeOptions& options = {});
+/// inscribed radius as in the paper, or further, until the thickness has settled. Straight means straight in space, seen along
+/// the normal of the sheet around the junction; `map` null: the flat plane is the surface.
+RidgeGraph ridge_of(const Skeleton& skeleton, const PlanarRegion& region, const SurfaceMap* map = nullptr,
+                    const RidgeOptions& options = {});
 
 }  // namespace beadmesh

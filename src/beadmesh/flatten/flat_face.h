@@ -11,7 +11,7 @@ namespace beadmesh {
 
 struct FlattenOptions {
   int iterations = 1000;        ///< default 1000: ARAP local/global sweeps at most
-  double convergence = 1e-8;    ///< default 1e-8: stops when no point moves by more than this times the size
+  double convergence = 1e-7;    ///< default 1e-7: stops when no point moves by more than this times the size
   double max_distortion = 4.0;  ///< default 4: larger singular-value ratios are an error
 };
 

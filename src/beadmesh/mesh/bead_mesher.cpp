@@ -94,7 +94,7 @@ class BeadMesher {
 
   Result<BeadMesh> armed() {
     if (is_prescribed(options_)) return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
-    const RidgeGraph ridge = ridge_of(crest_, study_.region);
+    const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
     for (int m = across(); m >= 2; m -= 2) {
       const BeadBlockOptions blocks{options_.size, options_.min_edge, m};
       if (attempt("blocks", [&] { return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map, options_); }))
@@ -125,7 +125,7 @@ class BeadMesher {
   }
 
   Result<BeadMesh> by_ridge() {
-    const RidgeGraph ridge = ridge_of(crest_, study_.region);
+    const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
     auto mesh = mesh_by_ridge_insertion(ridge, study_.region, *study_.map, {options_.size, options_.min_edge});
     if (!mesh) return mesh;
     clean_up(mesh->mesh, study_.map.get(), crest_edges(*mesh), {options_.size, options_.min_edge});

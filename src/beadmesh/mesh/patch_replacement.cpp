@@ -195,18 +195,20 @@ class CornerSearch {
   std::vector<CornerChoice> found_;
 };
 
-bool fill_anew(MeshEditor& editor, const Patch& patch, std::vector<Index>& touched) {
+bool fill_anew(MeshEditor& editor, const Patch& patch, EditAim aim, std::vector<Index>& touched) {
   double penalty = 0;
   for (const Index node : patch.inner_nodes()) penalty += editor.penalty(node);
   for (const Index node : patch.loop()) penalty += editor.penalty(node);
-  if (penalty < 1.5) return false;
-  const std::vector<CornerChoice> choices = CornerSearch(editor, patch).run(penalty - 0.5);
+  const bool for_shape = aim == EditAim::better_shape;
+  if (penalty < 1.5 && !for_shape) return false;
+  const std::vector<CornerChoice> choices =
+      CornerSearch(editor, patch).run(for_shape ? penalty + 4 : penalty - 0.5);
   std::vector<Vec2> positions;
   for (const Index node : patch.loop()) positions.push_back(editor.nodes().flat(node));
   for (const CornerChoice& choice : choices) {
     PatchFill fill = fill_patch(patch.loop(), positions, choice.corners, editor.mesh().node_count());
     Replacement edit{patch.quads(), std::move(fill.new_nodes), std::move(fill.quads), {}};
-    if (editor.try_replace(edit, EditAim::fewer_irregular, touched)) return true;
+    if (editor.try_replace(edit, aim, touched)) return true;
   }
   return false;
 }
@@ -214,12 +216,19 @@ bool fill_anew(MeshEditor& editor, const Patch& patch, std::vector<Index>& touch
 }  // namespace
 
 bool PatchReplacement::improve(Index seed, int max_quads, std::vector<Index>& touched) {
-  if (!editor_.is_irregular(seed)) return false;
+  return editor_.is_irregular(seed) && grow_and_fill(seed, max_quads, EditAim::fewer_irregular, touched);
+}
+
+bool PatchReplacement::improve_shape(Index seed, int max_quads, std::vector<Index>& touched) {
+  return grow_and_fill(seed, max_quads, EditAim::better_shape, touched);
+}
+
+bool PatchReplacement::grow_and_fill(Index seed, int max_quads, EditAim aim, std::vector<Index>& touched) {
   marks_.resize(editor_.mesh().element_count(), 0);
   Patch patch(editor_, max_quads, marks_, ++patches_);
   if (!patch.start(seed)) return false;
   do {
-    if (fill_anew(editor_, patch, touched)) return true;
+    if (fill_anew(editor_, patch, aim, touched)) return true;
   } while (patch.grow_ring());
   return false;
 }

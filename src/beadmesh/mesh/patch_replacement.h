@@ -17,8 +17,12 @@ class PatchReplacement {
   /// Replaces the smallest patch of at most `max_quads` around `seed` that can do with fewer irregular nodes;
   /// false where none can. `touched`: the nodes in and around the new patch.
   bool improve(Index seed, int max_quads, std::vector<Index>& touched);
+  /// The same for the sake of the worst element around, even where nodes become irregular.
+  bool improve_shape(Index seed, int max_quads, std::vector<Index>& touched);
 
  private:
+  bool grow_and_fill(Index seed, int max_quads, EditAim aim, std::vector<Index>& touched);
+
   MeshEditor& editor_;
   std::vector<int> marks_;  ///< per element: the number of the patch that has it
   int patches_ = 0;

@@ -10,6 +10,9 @@
 namespace beadmesh {
 namespace {
 
+/// Scaled Jacobian below which an element is worth an irregular node.
+constexpr double poor_shape = 0.6;
+
 /// Passes over all nodes; after the first only the surroundings of kept edits are visited again.
 template <class Improve>
 int sweep(MeshEditor& editor, int passes, Improve improve) {
@@ -28,6 +31,24 @@ int sweep(MeshEditor& editor, int passes, Improve improve) {
     active.clear();
     for (Index node = 0; node < static_cast<Index>(next.size()); ++node)
       if (next[node]) active.push_back(node);
+  }
+  return edits;
+}
+
+/// Elements that small edits could not help.
+int replace_around_poor_shapes(MeshEditor& editor, PatchReplacement& patches) {
+  constexpr int max_quads = 60;
+  int edits = 0;
+  std::vector<Index> touched;
+  for (Index e = 0; e < editor.mesh().element_count(); ++e) {
+    if (!editor.mesh().is_alive(e)) continue;
+    const MeshElement corners = editor.mesh().element(e);
+    if (signed_quality(editor.nodes(), corners) >= poor_shape) continue;
+    for (int i = 0; i < corner_count(corners); ++i) {
+      if (!patches.improve_shape(corners[i], max_quads, touched)) continue;
+      ++edits;
+      break;
+    }
   }
   return edits;
 }
@@ -53,7 +74,7 @@ CleanupReport clean_up(PlanarMesh& mesh, const SurfaceMap* map,
     });
     report.edits += sweep(editor, options.passes, locally) + marry_triangles(editor);
   }
-  report.edits += improve_shapes(editor, 0.6);
+  report.edits += improve_shapes(editor, poor_shape) + replace_around_poor_shapes(editor, patches);
   report.edits += remove_short_edges(editor);
   report.irregular_after = editor.count_irregular();
   report.trias_after = editor.count_triangles();

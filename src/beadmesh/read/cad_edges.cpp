@@ -1,6 +1,7 @@
 #include "beadmesh/read/cad_edges.h"
 
 #include <GeomAdaptor_Curve.hxx>
+#include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
 #include <array>
@@ -223,7 +224,12 @@ class EdgeRefiner {
   std::vector<std::vector<bool>> marks_;  // per edge and segment
 };
 
-std::optional<FaceSpace> face_space(const CadFace& face, const FacetSize& size) {
+struct Box {
+  Vec2 low, high;
+};
+
+/// Of the parameters along all loops; none where they are not finite.
+std::optional<Box> parameter_box(const CadFace& face) {
   if (face.broken || face.loops.empty()) return {};
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 low{infinity, infinity}, high{-infinity, -infinity};
@@ -235,14 +241,37 @@ std::optional<FaceSpace> face_space(const CadFace& face, const FacetSize& size) 
         high = {std::max(high.x, p.X()), std::max(high.y, p.Y())};
       }
   if (!std::isfinite(low.x + low.y + high.x + high.y)) return {};
-  const Vec2 stretch = mean_stretch(*face.surface, low, high);
-  FaceSpace space{stretch, SizeField(*face.surface, size, stretch, {low.x * stretch.x, low.y * stretch.y},
-                                     {high.x * stretch.x, high.y * stretch.y})};
+  return Box{low, high};
+}
+
+std::optional<FaceSpace> face_space(const CadFace& face, const FacetSize& size) try {
+  const std::optional<Box> box = parameter_box(face);
+  if (!box) return {};
+  const Vec2 stretch = mean_stretch(*face.surface, box->low, box->high);
+  FaceSpace space{stretch, SizeField(*face.surface, size, stretch, {box->low.x * stretch.x, box->low.y * stretch.y},
+                                     {box->high.x * stretch.x, box->high.y * stretch.y})};
   space.sizes.smooth();
   return space;
+} catch (const Standard_Failure&) {
+  return {};
 }
 
 }  // namespace
+
+void sample_edges_by_curve(CadTopology& topology, double chord) {
+  ReadOptions options;
+  options.chord = chord;
+  const FacetSize size(options, std::numeric_limits<double>::max());
+  const std::vector<UseInFace> no_uses;
+  const FaceSpaces no_spaces;
+  for (CadEdge& edge : topology.edges)
+    if (!edge.is_pole()) EdgeSampler(edge, no_uses, no_spaces, size).sample();
+}
+
+Vec2 face_stretch(const CadFace& face) {
+  const std::optional<Box> box = parameter_box(face);
+  return box ? mean_stretch(*face.surface, box->low, box->high) : Vec2{1, 1};
+}
 
 FaceSpaces face_spaces(const CadTopology& topology, const FacetSize& size, const Context& context) {
   FaceSpaces spaces(topology.faces.size());

@@ -28,4 +28,10 @@ FaceSpaces face_spaces(const CadTopology& topology, const FacetSize& size, const
 /// is near, or a neighbour along the loop is much shorter.
 void sample_edges(CadTopology& topology, const FaceSpaces& spaces, const FacetSize& size);
 
+/// Fills parameters and points of all edges from their own curvature alone, within `chord`.
+void sample_edges_by_curve(CadTopology& topology, double chord);
+
+/// Mean stretch over the box of the loops' parameters.
+Vec2 face_stretch(const CadFace& face);
+
 }  // namespace beadmesh

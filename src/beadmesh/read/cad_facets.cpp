@@ -2,6 +2,7 @@
 
 #include <Standard_Failure.hxx>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "beadmesh/delaunay/triangulation.h"
@@ -19,11 +20,12 @@ class FaceFacetter {
       : topology_(topology), face_(face), space_(std::move(space)), chord_(chord) {}
 
   FaceNodes facet() {
-    polygons_ = boundary_nodes(topology_, face_, space_, nodes_);
+    polygons_ = boundary_nodes(topology_, face_, space_.stretch, nodes_);
     for (const std::vector<Index>& polygon : polygons_)
       if (polygon.size() < 3) return defective("a loop has fewer than three points");
     stretch_new_nodes();
-    if (const auto crossing = find_crossing(polygons_, stretched_, nodes_.points)) return crossed(*crossing);
+    nodes_.crossing = find_crossing(polygons_, stretched_, nodes_.points);
+    if (nodes_.crossing) return defective("its boundary crosses itself");
     limit_sizes();
     spawn_inner_points(*face_.surface, space_, polygons_, nodes_);
     triangulate_nodes();
@@ -37,16 +39,6 @@ class FaceFacetter {
     nodes_.triangles.clear();
     nodes_.defect = std::move(why);
     return std::move(nodes_);
-  }
-
-  FaceNodes crossed(Vec3 where) {
-    nodes_.loop_crosses = true;
-    const auto text = [](double x) {
-      std::string s = std::to_string(x);
-      return s.substr(0, s.size() - 3);
-    };
-    return defective("its boundary crosses itself near (" + text(where.x) + ", " + text(where.y) + ", " +
-                     text(where.z) + ")");
   }
 
   void stretch_new_nodes() {
@@ -102,9 +94,15 @@ class FaceFacetter {
 };
 
 double diagonal_of(const CadTopology& topology) {
-  if (topology.vertices.empty()) return 1;
-  Vec3 low = topology.vertices.front(), high = low;
-  for (const Vec3 p : topology.vertices) {
+  std::vector<Vec3> points = topology.vertices;
+  for (const CadEdge& edge : topology.edges)
+    for (int i = 0; i <= 8 && !edge.is_pole(); ++i) {
+      const gp_Pnt p = edge.curve->Value(std::lerp(edge.first, edge.last, i / 8.0));
+      points.push_back({p.X(), p.Y(), p.Z()});
+    }
+  if (points.empty()) return 1;
+  Vec3 low = points.front(), high = low;
+  for (const Vec3 p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }

@@ -1,6 +1,7 @@
 // Inside the read room: the facets of every face, on shared edge points.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct FaceNodes {
   std::vector<Triangle> triangles;          ///< empty where the face could not be facetted
   std::vector<std::vector<NodeRun>> loops;  ///< along each loop, face on the left
   std::string defect;                       ///< why there are no triangles
-  bool loop_crosses = false;                ///< because a loop crosses itself or another
+  std::optional<Vec3> crossing;             ///< set where a loop crosses itself or another
 };
 
 /// Facets one face. Boundary points come from the edges; inner points are spawned from the boundary inwards, in hexagonal

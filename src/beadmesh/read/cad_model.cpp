@@ -21,6 +21,7 @@
 #include <fstream>
 #include <functional>
 
+#include "beadmesh/read/cad_raw_loops.h"
 #include "beadmesh/read/input_file.h"
 
 namespace beadmesh {
@@ -56,6 +57,7 @@ std::string step_name(const Handle(XSControl_TransferReader) & transfer, const T
 Result<CadModel> load_step(const std::filesystem::path& path) {
   if (!tail_contains(path, "END-ISO-10303-21"))
     return truncated(path, "the file ends before END-ISO-10303-21");
+  const RawLoopWatch watch;
   STEPControl_Reader reader;
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
@@ -65,6 +67,7 @@ Result<CadModel> load_step(const std::filesystem::path& path) {
   reader.FileUnits(lengths, angles, solid_angles);
   if (!lengths.IsEmpty()) model.unit = lengths.First().ToCString();
   reader.TransferRoots();
+  if (watch.defect()) return Failure(*watch.defect());
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull()) return model;
   const Handle(XSControl_TransferReader) transfer = reader.WS()->TransferReader();
@@ -73,6 +76,7 @@ Result<CadModel> load_step(const std::filesystem::path& path) {
 }
 
 Result<CadModel> load_iges(const std::filesystem::path& path) {
+  const RawLoopWatch watch;
   IGESControl_Reader reader;
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   if (!iges_is_complete(path)) return truncated(path, "the file has no terminate section");
@@ -84,6 +88,7 @@ Result<CadModel> load_iges(const std::filesystem::path& path) {
   if (!file->GlobalSection().UnitName().IsNull())
     model.unit = file->GlobalSection().UnitName()->ToCString();
   reader.TransferRoots();
+  if (watch.defect()) return Failure(*watch.defect());
   const TopoDS_Shape shape = reader.OneShape();
   if (!shape.IsNull()) list_faces(shape, {}, model);
   return model;

@@ -1,6 +1,8 @@
 #include "beadmesh/read/cad_panel.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -61,6 +63,7 @@ struct FaceDraft {
   std::vector<Index> node;    // per node: the node that stands for it (all nodes of a pole are one)
   std::vector<Index> point;   // per node: its panel point, or no_index for an inner node
   std::vector<Index> vertex;  // per node: its local vertex, or no_index
+  std::map<Index, std::pair<Vec2, Vec2>> pole_side;  // node of a pole -> the side of the parameters it stands for
 };
 
 class PanelAssembler {
@@ -133,6 +136,7 @@ class PanelAssembler {
         if (is_pole(run)) {
           draft.point[run.nodes.front()] = run.vertex;
           for (const Index n : run.nodes) draft.node[n] = run.nodes.front();
+          draft.pole_side[run.nodes.front()] = {nodes.uv[run.nodes.front()], nodes.uv[run.nodes.back()]};
           continue;
         }
         const std::vector<Index>& points = edge_points(run.edge);
@@ -157,12 +161,25 @@ class PanelAssembler {
     return vertex;
   }
 
+  /// A pole has many parameters: a triangle takes those between its other corners, so that its inside maps well.
+  static std::array<Vec2, 3> corner_uv(const FaceNodes& nodes, const Triangle& t, const FaceDraft& draft) {
+    std::array<Vec2, 3> uv{nodes.uv[t[0]], nodes.uv[t[1]], nodes.uv[t[2]]};
+    for (int k = 0; k < 3; ++k) {
+      const auto pole = draft.pole_side.find(draft.node[t[k]]);
+      if (pole == draft.pole_side.end()) continue;
+      const auto [from, to] = pole->second;
+      const Vec2 along = to - from, others = (uv[(k + 1) % 3] + uv[(k + 2) % 3]) / 2;
+      uv[k] = from + along * std::clamp(dot(others - from, along) / squared_norm(along), 0.0, 1.0);
+    }
+    return uv;
+  }
+
   void fill_triangles(const FaceNodes& nodes, FaceDraft& draft) {
     for (const Triangle& t : nodes.triangles) {
       const Triangle v{vertex_of(nodes, t[0], draft), vertex_of(nodes, t[1], draft), vertex_of(nodes, t[2], draft)};
       if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;  // collapsed at a pole
       draft.face.facets.triangles.push_back(v);
-      draft.face.facets.triangle_uv.push_back({nodes.uv[t[0]], nodes.uv[t[1]], nodes.uv[t[2]]});
+      draft.face.facets.triangle_uv.push_back(corner_uv(nodes, t, draft));
     }
   }
 

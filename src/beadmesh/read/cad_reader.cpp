@@ -6,10 +6,13 @@
 #include <Standard_Failure.hxx>
 #include <exception>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "beadmesh/read/cad_facets.h"
 #include "beadmesh/read/cad_model.h"
 #include "beadmesh/read/cad_panel.h"
+#include "beadmesh/read/face_boundary.h"
 
 namespace beadmesh {
 namespace {
@@ -20,25 +23,32 @@ std::mutex& reader_mutex() {
   return mutex;
 }
 
+/// Every failure of a reader says which file it is about.
+Failure named(Diagnostic diagnostic, const std::filesystem::path& path) {
+  if (diagnostic.entity.empty()) diagnostic.entity = path.filename().string();
+  return Failure(std::move(diagnostic));
+}
+
 Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
   const std::lock_guard lock(reader_mutex());
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
   context.report("read", 0);
   Result<CadModel> model = load_cad_model(path, options);
-  if (!model) return Failure(model.error());
+  if (!model) return named(model.error(), path);
   sew(*model, options.sew_tolerance);
   context.report("read", 0.5);
   CadTopology topology = topology_of(*model);
   const std::vector<FaceNodes> faces = facet_faces(topology, options, context);
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (faces[f].loop_crosses)
-      return fail("read.face.loop_crosses", faces[f].defect, "repair the face in the CAD system",
-                  path.filename().string(), static_cast<Index>(f) + 1);
+    if (faces[f].crossing) return named(crossing_defect(*faces[f].crossing, static_cast<Index>(f) + 1), path);
   Panel panel = assemble_panel(*model, topology, faces);
   panel.input = path.filename().string();
   if (panel.faces.empty())
-    return fail("read.no_sound_face", "none of the faces can be facetted", "repair the faces in the CAD system",
-                path.filename().string());
+    return fail("read.no_sound_face",
+                model->faces.size() == 1 && !faces.front().defect.empty()
+                    ? "the only face cannot be facetted: " + faces.front().defect
+                    : "none of the " + std::to_string(model->faces.size()) + " faces can be facetted",
+                "repair the faces in the CAD system", path.filename().string());
   context.report("read", 1);
   return panel;
 }

@@ -94,7 +94,7 @@ bool has_open_joints(const std::vector<FreeEdge>& edges, double tolerance) {
 }  // namespace
 
 void sew(CadModel& model, double tolerance) {
-  if (tolerance <= 0 || model.faces.size() < 2) return;
+  if (tolerance <= 0) return;
   const std::vector<FreeEdge> before = free_edges_of(model);
   if (!has_open_joints(before, tolerance)) return;
   BRepBuilderAPI_Sewing sewing(tolerance);

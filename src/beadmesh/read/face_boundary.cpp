@@ -1,5 +1,7 @@
 #include "beadmesh/read/face_boundary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,10 +9,12 @@
 namespace beadmesh {
 namespace {
 
+Vec2 stretched(Vec2 uv, Vec2 stretch) { return {uv.x * stretch.x, uv.y * stretch.y}; }
+
 class BoundaryBuilder {
  public:
-  BoundaryBuilder(const CadTopology& topology, const FaceSpace& space, FaceNodes& nodes)
-      : topology_(topology), space_(space), nodes_(nodes) {}
+  BoundaryBuilder(const CadTopology& topology, Vec2 stretch, FaceNodes& nodes)
+      : topology_(topology), stretch_(stretch), nodes_(nodes) {}
 
   void add_loop(const std::vector<CadUse>& loop) {
     std::vector<NodeRun> runs;
@@ -52,14 +56,14 @@ class BoundaryBuilder {
   double length(const NodeRun& run) const {
     double sum = 0;
     for (std::size_t i = 1; i < run.nodes.size(); ++i)
-      sum += distance(space_.stretched(nodes_.uv[run.nodes[i - 1]]), space_.stretched(nodes_.uv[run.nodes[i]]));
+      sum += distance(stretched(nodes_.uv[run.nodes[i - 1]], stretch_), stretched(nodes_.uv[run.nodes[i]], stretch_));
     return sum;
   }
 
   /// The end of one run and the start of the next are one node, unless the parameters jump (a pole without an edge).
   void join(std::vector<NodeRun>& runs, std::size_t i, std::size_t next) {
     const Index end = runs[i].nodes.back(), start = runs[next].nodes.front();
-    const double gap = distance(space_.stretched(nodes_.uv[end]), space_.stretched(nodes_.uv[start]));
+    const double gap = distance(stretched(nodes_.uv[end], stretch_), stretched(nodes_.uv[start], stretch_));
     if (gap <= 0.2 * std::min(length(runs[i]), length(runs[next])) + 1e-6) runs[i].nodes.back() = start;
   }
 
@@ -76,7 +80,7 @@ class BoundaryBuilder {
   }
 
   const CadTopology& topology_;
-  const FaceSpace& space_;
+  Vec2 stretch_;
   FaceNodes& nodes_;
 };
 
@@ -105,11 +109,11 @@ std::vector<Index> polygon_of(const std::vector<NodeRun>& loop) {
   return polygon;
 }
 
-double signed_area_of(const std::vector<Index>& polygon, const FaceNodes& nodes, const FaceSpace& space) {
+double signed_area_of(const std::vector<Index>& polygon, const FaceNodes& nodes, Vec2 stretch) {
   double sum = 0;
-  const Vec2 origin = space.stretched(nodes.uv[polygon.front()]);
+  const Vec2 origin = stretched(nodes.uv[polygon.front()], stretch);
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sum += cross(space.stretched(nodes.uv[polygon[i]]) - origin, space.stretched(nodes.uv[polygon[i + 1]]) - origin) / 2;
+    sum += cross(stretched(nodes.uv[polygon[i]], stretch) - origin, stretched(nodes.uv[polygon[i + 1]], stretch) - origin) / 2;
   return sum;
 }
 
@@ -132,16 +136,16 @@ bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 }  // namespace
 
-std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, const CadFace& face, const FaceSpace& space,
+std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, const CadFace& face, Vec2 stretch,
                                                FaceNodes& nodes) {
-  BoundaryBuilder builder(topology, space, nodes);
+  BoundaryBuilder builder(topology, stretch, nodes);
   for (const std::vector<CadUse>& loop : face.loops) builder.add_loop(loop);
   drop_unused(nodes);
   std::vector<std::vector<Index>> polygons;
   std::vector<double> areas;
   for (const std::vector<NodeRun>& loop : nodes.loops) {
     polygons.push_back(polygon_of(loop));
-    areas.push_back(signed_area_of(polygons.back(), nodes, space));
+    areas.push_back(signed_area_of(polygons.back(), nodes, stretch));
   }
   // Files get the direction of loops wrong now and then. In the plane of the parameters it follows from the areas.
   std::size_t outer = 0;
@@ -176,6 +180,12 @@ std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygon
         return (points[s.a] + points[s.b] + points[t.a] + points[t.b]) / 4;
     }
   return {};
+}
+
+Diagnostic crossing_defect(Vec3 where, Index number) {
+  return {"read.face.loop_crosses", Severity::error, number, {},
+          fmt::format("its boundary crosses itself near ({:.3f}, {:.3f}, {:.3f})", where.x, where.y, where.z),
+          "repair the face in the CAD system"};
 }
 
 InsideTest::InsideTest(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& points) {

@@ -8,14 +8,17 @@
 
 namespace beadmesh {
 
-/// Fills points, uv and loops of `nodes` from the sampled edges; loops are turned so that the face lies on their left.
+/// Fills points, uv and loops of `nodes` from the sampled edges; `stretch`: of u and v, to about mm; loops are turned so that the face lies on their left.
 /// Returns the node polygon of each loop.
-std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, const CadFace& face, const FaceSpace& space,
+std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, const CadFace& face, Vec2 stretch,
                                                FaceNodes& nodes);
 
 /// First pair of segments found to cross, as the point of space near the crossing.
 std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& stretched,
                                   const std::vector<Vec3>& points);
+
+/// The Diagnostic for it; `number` is that of the face.
+Diagnostic crossing_defect(Vec3 where, Index number);
 
 /// Answers whether a point is inside closed polygons, in about the time of one short list.
 class InsideTest {

@@ -71,7 +71,7 @@ class GridSizes {
 
 FacetSize::FacetSize(const ReadOptions& options, double model_diagonal)
     : chord_(std::max(options.chord, 1e-4)), angle_(std::clamp(options.angle, radians(1), radians(45))) {
-  largest_ = std::clamp(model_diagonal / 25, 1e-3, 40.0);
+  largest_ = std::clamp(model_diagonal / 12, 1e-3, 40.0);
   if (options.max_facet > 0) largest_ = std::min(largest_, options.max_facet);
   smallest_ = std::min(largest_, 18 * chord_);
 }

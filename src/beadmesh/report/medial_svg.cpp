@@ -29,7 +29,7 @@ constexpr Mark marks[] = {
     {MedialVertexType::J, "J junction", "#d55e00", "M-5-5h10v10h-10z"},
     {MedialVertexType::C, "C corner end", "#0072b2", "M0-6.5l6.5 6.5l-6.5 6.5l-6.5-6.5z"},
     {MedialVertexType::S, "S smooth end", "#009e73", "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z"},
-    {MedialVertexType::isolated, "full disc", "#cc79a7", "M-6 0h12M0-6v12"},
+    {MedialVertexType::isolated, "full disc", "#cc79a7", "M-7-2h5v-5h4v5h5v4h-5v5h-4v-5h-5z"},
 };
 
 const Mark& mark_of(MedialVertexType type) {

@@ -1,0 +1,28 @@
+# The two doors for a newcomer. Each installs what is missing, builds and runs; neither asks anything.
+PROGRAM := build/release/apps/beadmesh/beadmesh
+MAKE_PANEL := build/release/examples/make_example_panel
+
+.PHONY: demo test build packages
+
+demo: build
+	@mkdir -p demo
+	$(MAKE_PANEL) floor demo/floor.step
+	$(PROGRAM) mesh demo/floor.step -o demo/floor.bdf --json demo/floor.json --report demo/floor.html; \
+	  status=$$?; test $$status -le 1 || exit $$status
+	$(PROGRAM) medial demo/floor.step --face 2 --svg demo/medial.svg
+	@printf '\n%s\n' 'The results are in demo/:' \
+	  '  floor.step   the panel' \
+	  '  floor.bdf    the mesh, a Nastran deck with a property and sets per bead' \
+	  '  floor.json   the bead table' \
+	  '  floor.html   the picture: beads by kind, medial axes, mesh (open it in a browser)' \
+	  '  medial.svg   the medial object of one bead'
+
+test: build
+	ctest --preset release
+
+build: packages
+	cmake --preset release
+	cmake --build --preset release --parallel "$$(nproc)"
+
+packages:
+	@scripts/install_packages.sh
