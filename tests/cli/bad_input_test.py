@@ -71,7 +71,7 @@ class WrongUsage(Case):
     def test_minimum_edge_that_makes_no_sense(self):
         for edge in ("-1", "nan", "x"):
             with self.subTest(edge=edge):
-                self.refuse("--min-edge", edge, names="min-edge")
+                self.refuse("--min-edge", edge, names="edge")
 
     def test_jobs_and_thickness(self):
         self.refuse("--jobs", "-1", names="jobs")

@@ -17,7 +17,7 @@ TEST(MeshTrial, RelaxesTheMiddleNodeAndPrefersTheRegularMesh) {
   draft.add_element({1, 2, 3, middle});
   draft.add_element({middle, 3, 4, 5});
   draft.add_element({7, middle, 5, 6});
-  const double regular = relax_and_judge(draft, mark);
+  const Judgement regular = relax_and_judge(draft, mark);
   EXPECT_NEAR(distance(draft.at(middle), {1, 1}), 0, 0.02);
   draft.take_back(mark);
 
@@ -26,8 +26,10 @@ TEST(MeshTrial, RelaxesTheMiddleNodeAndPrefersTheRegularMesh) {
   draft.add_element({2, 3, 4, other});
   draft.add_element({4, 5, 6, other});
   draft.add_element({6, 7, 0, other});
-  EXPECT_LT(regular, relax_and_judge(draft, mark));
-  EXPECT_LT(regular, 0.1);
+  const Judgement irregular = relax_and_judge(draft, mark);
+  EXPECT_LT(regular.cost, irregular.cost);
+  EXPECT_GT(regular.worst, irregular.worst);
+  EXPECT_LT(regular.cost, 0.1);
 }
 
 }  // namespace

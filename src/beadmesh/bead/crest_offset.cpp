@@ -14,7 +14,7 @@ constexpr int samples = 48;
 /// nothing: oblique, or the crest would be far off.
 std::optional<double> offset_at(const MedialPoint& medial, const SurfaceMap& map) {
   const Vec2 left = medial.feet[0].point, right = medial.feet[1].point;
-  if (medial.radius <= 0 || medial.subtended_angle < radians(165)) return std::nullopt;
+  if (medial.radius <= 0 || medial.subtended_angle < radians(173)) return std::nullopt;
   const auto flat_at = [&](int i) { return lerp(left, right, double(i) / samples); };
   FacetPoint at = map.locate(left);
   const Vec3 a = map.surface_point(at), b = map.surface_point(map.locate(right));

@@ -152,21 +152,23 @@ class RidgeBuilder {
     return ends;
   }
 
-  /// How far the fillets of a junction bend an arm: until the thickness has settled, at least the radius (section 4.3), at
-  /// most 45 % of the arm.
+  /// How far the fillets of a junction bend an arm: until the thickness has settled, at least the radius (section 4.3) as
+  /// far as the arm has room.
   double reach_of(const std::pair<Index, bool>& end, double radius) const {
     const auto& points = skeleton_.arms[end.first].points;
     const int n = int(points.size());
     const auto at = [&](int i) -> const MedialPoint& { return points[end.second ? n - 1 - i : i]; };
     std::vector<double> along{0};
     for (int i = 1; i < n; ++i) along.push_back(along.back() + distance(at(i - 1).point, at(i).point));
-    const double most = std::min(3.5 * radius, 0.45 * along.back());
+    const SkeletonArm& arm = skeleton_.arms[end.first];
+    const bool leaf = skeleton_.nodes[end.second ? arm.start : arm.end].arms.size() == 1;
+    const double most = std::min(3.5 * radius, (leaf ? 0.75 : 0.45) * along.back());
     double settled = at(0).radius;
     for (int i = 0; i < n && along[i] <= most; ++i) settled = std::min(settled, at(i).radius);
     double reach = radius;
     for (int i = 0; i < n && along[i] <= most; ++i)
-      if (at(i).radius > 1.015 * settled) reach = std::max(reach, along[i]);
-    return std::min(reach, std::max(most, 0.45 * along.back()));
+      if (at(i).radius > 1.006 * settled) reach = std::max(reach, along[i] + 0.15 * radius);
+    return std::min(reach, most);
   }
 
   /// Normal of the sheet: mean over the feet of the arms' first medial points.

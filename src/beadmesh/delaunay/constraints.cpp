@@ -1,10 +1,17 @@
 #include "beadmesh/delaunay/constraints.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "beadmesh/geometry/predicates.h"
 
 namespace beadmesh::delaunay {
+namespace {
+
+constexpr Index long_chain = 64;  // edges from which on a search tree pays
+
+}  // namespace
 
 Index ConstraintInserter::find(Index a, Index b) const {
   const Index start = spokes_[a];
@@ -70,6 +77,7 @@ InsertionConflict ConstraintInserter::walk(Index a, Index b, Index crossed) {
 // above the base (the chain may pass a point twice) do not count.
 Index ConstraintInserter::apex(const Polygon& polygon, const std::vector<Index>& chain) const {
   const Vec2 a = net_.from(polygon.base), b = net_.to(polygon.base);
+  if (polygon.last - polygon.first >= long_chain) return chain_apex_.find(a, b, polygon.first, polygon.last);
   Index best = no_index;
   for (Index i = polygon.first; i < polygon.last; ++i) {
     const Vec2 p = net_.to(chain[i]);
@@ -81,6 +89,11 @@ Index ConstraintInserter::apex(const Polygon& polygon, const std::vector<Index>&
 
 // Triangulates the face on the left of the base, whose other edges are the chain.
 void ConstraintInserter::fill(Index base, const std::vector<Index>& chain) {
+  if (chain.size() > long_chain) {
+    std::vector<Vec2> points;
+    for (const Index e : chain) points.push_back(net_.to(e));
+    chain_apex_.reset(net_.from(base), net_.to(base), std::move(points));
+  }
   pending_.assign(1, {base, 0, static_cast<Index>(chain.size()) - 1});
   while (!pending_.empty()) {
     const Polygon polygon = pending_.back();

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "beadmesh/delaunay/chain_apex.h"
 #include "beadmesh/delaunay/edge_net.h"
 
 namespace beadmesh::delaunay {
@@ -48,6 +49,7 @@ class ConstraintInserter {
   std::vector<Index>& spokes_;
   std::vector<Index> crossed_, left_, right_;
   std::vector<Polygon> pending_;
+  ChainApex chain_apex_;  // of a long chain
 };
 
 }  // namespace beadmesh::delaunay

@@ -20,7 +20,7 @@ enum class MedialEdgeType { SS, SC, SJ, CC, CJ, JJ, N };
 
 /// A touching point of an inscribed circle: its foot on the boundary.
 struct Foot {
-  Vec2 point;
+  Vec2 point;  ///< on the region's loop polyline; off the true foot by up to the facets' sagitta
   Index loop = 0;
   double position = 0;  ///< arc length along the region's loop polyline
 };
@@ -69,7 +69,10 @@ struct MedialOptions {
   double contraction = 1e-3;  ///< default 1e-3: centres nearer than this times the radius are one
   double prune_protrusion = 0;  ///< default 0: from the sampling; leaves that add less than this are noise
   int smoothing_passes = 2;     ///< default 2: cubic filter (section 3.6)
-  bool polish = true;  ///< default true: centres moved to exact equidistance of the boundary polyline
+  /// Default true: centres moved to exact equidistance of the boundary: of straight segments and corners as
+  /// they are; of facetted smooth curves (points without corner) of a smooth curve through the facets'
+  /// points.
+  bool polish = true;
 };
 
 /// Sections 3.1 to 3.7: samples, triangulates, marches, contracts, prunes, cleans up, polishes, smooths, adds

@@ -112,8 +112,11 @@ class LoopConnection {
     const SegmentGrid grid(draft_.nodes(), edges_, wanted_clearance * draft_.size());
     for (double radius = 1.5 * nearest + draft_.size(); radius < 1e9 * (nearest + draft_.size());
          radius *= 2) {
-      const Connector best = cheapest(candidates(loop, joined_angles, loop_angles, radius), grid, loop);
-      if (best.edges > 0) return best;
+      const std::vector<Connector> lines = candidates(loop, joined_angles, loop_angles, radius);
+      for (const double least : {least_clearance, 0.0}) {
+        const Connector best = cheapest(lines, grid, loop, least);
+        if (best.edges > 0) return best;
+      }
       if (radius > reach()) break;
     }
     return {};
@@ -157,15 +160,16 @@ class LoopConnection {
 
   // The quads colour the nodes like a chessboard, so a line fixes the colours of the loop against those of
   // the rest. The good lines vote.
-  Connector cheapest(const std::vector<Connector>& lines, const SegmentGrid& grid,
-                     const NodeLoop& loop) const {
+  Connector cheapest(const std::vector<Connector>& lines, const SegmentGrid& grid, const NodeLoop& loop,
+                     double least) const {
     Connector best[2];
     double votes[2] = {0, 0};
     std::size_t seen = 0;
     for (const Connector& line : lines) {
-      const double clearance = grid.clearance(joined_[line.at_joined], loop[line.at_loop]) / draft_.size();
-      if (clearance < least_clearance) continue;
-      const double lack = (wanted_clearance - clearance) / wanted_clearance;
+      const Index a = joined_[line.at_joined], b = loop[line.at_loop];
+      const double clearance = grid.clearance(a, b) / draft_.scale(a, b);
+      if (clearance < least) continue;
+      const double lack = std::max(0.0, wanted_clearance - clearance) / wanted_clearance;
       const double cost = line.cost + clearance_weight * lack * lack;
       const int colour = (line.at_joined + line.at_loop + line.edges) % 2;
       votes[colour] += std::exp(-2 * cost);

@@ -80,9 +80,10 @@ class SplitSearch {
         chosen.push_back(line);
         continue;
       }
-      const double clearance = grid.clearance(loop_[line.from], loop_[line.to]) / draft_.size();
+      const Index a = loop_[line.from], b = loop_[line.to];
+      const double clearance = grid.clearance(a, b) / draft_.scale(a, b);
       if (clearance < least_clearance) continue;
-      const double lack = (wanted_clearance - clearance) / wanted_clearance;
+      const double lack = std::max(0.0, wanted_clearance - clearance) / wanted_clearance;
       line.cost += clearance_weight * lack * lack;
       line.checked = true;
       lines.push_back(line);

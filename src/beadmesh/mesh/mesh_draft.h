@@ -1,6 +1,7 @@
 // The growing mesh that the stages of the subdivision mesher share. Internal to the room.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <unordered_set>
@@ -38,6 +39,8 @@ class MeshDraft {
   const Vec2& at(Index node) const { return nodes_[node]; }
   const SurfaceMetric& metric(Index node) const { return metrics_[node]; }
   double size() const { return size_; }
+  /// The smaller of the size and the spacings at two nodes: what clearances are measured against.
+  double scale(Index a, Index b) const { return std::min({size_, spacing_[a], spacing_[b]}); }
 
   Index add_node(Vec2 position);
   void move_node(Index node, Vec2 position) { nodes_[node] = position; }

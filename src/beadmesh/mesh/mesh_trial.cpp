@@ -39,8 +39,8 @@ class Trial {
     }
   }
 
-  double cost() const {
-    double cost = 0;
+  Judgement judge() const {
+    double cost = 0, worst = 1;
     std::vector<Index> touched;
     for (std::size_t e = mark_.elements; e < draft_.elements().size(); ++e) {
       const MeshElement& element = draft_.elements()[e];
@@ -57,7 +57,7 @@ class Trial {
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (const Index node : touched) cost += irregular_cost * std::abs(draft_.valence(node) - 4);
-    return cost;
+    return {cost, worst};
   }
 
  private:
@@ -112,10 +112,10 @@ class Trial {
 
 }  // namespace
 
-double relax_and_judge(MeshDraft& draft, const MeshDraft::Mark& mark) {
+Judgement relax_and_judge(MeshDraft& draft, const MeshDraft::Mark& mark) {
   Trial trial(draft, mark);
   trial.relax();
-  return trial.cost();
+  return trial.judge();
 }
 
 }  // namespace beadmesh

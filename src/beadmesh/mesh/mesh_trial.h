@@ -5,9 +5,14 @@
 
 namespace beadmesh {
 
+struct Judgement {
+  double cost = 1e300;
+  double worst = -1;  ///< least scaled Jacobian
+};
+
 /// Moves the nodes added since the mark to better places (length-weighted Laplace, never to a worse worst
 /// corner) and returns the cost of the elements added since: squared lack of scaled Jacobian, more where it
 /// is poor, edges far below the size, irregular nodes.
-double relax_and_judge(MeshDraft& draft, const MeshDraft::Mark& mark);
+Judgement relax_and_judge(MeshDraft& draft, const MeshDraft::Mark& mark);
 
 }  // namespace beadmesh

@@ -8,7 +8,7 @@ namespace beadmesh {
 
 struct SmoothingOptions {
   double size = 5;        ///< default 5 mm: target edge length on the surface
-  double min_edge = 2.5;  ///< default 2.5 mm: no move may leave an edge below it shorter than it was
+  double min_edge = 2.5;  ///< default 2.5 mm: no move may add to what the node's edges miss to it
   int variational_passes =
       20;  ///< default 20: Winslow / isoparametric / length-weighted Laplace sweeps at most
   int optimisation_passes = 10;  ///< default 10: sweeps over the worst elements at most

@@ -95,7 +95,7 @@ struct Attempt {
   bool against_vote = false;
 };
 
-// No single set of weights is best everywhere; areas are small, so that trying all costs little.
+// No single set of weights is best everywhere; areas are small, so that trying several costs little.
 const std::vector<Attempt>& attempts() {
   static const std::vector<Attempt> all{
       {{}, false},
@@ -103,9 +103,18 @@ const std::vector<Attempt>& attempts() {
       {{2, 0.08, 0.3, 0.1, 0.1}, false},
       {{6, 0.2, 0.1, 0.2, 0.3}, false},
       {{}, true},
+      // From here on only where something poor is left.
+      {{2, 0.08, 0.3, 0.1, 0.1}, true},
+      {{1, 0.02, 0, 0.05, 0}, false},
+      {{1, 0.02, 0, 0.05, 0}, true},
+      {{8, 0.05, 0.1, 0, 0.5}, false},
+      {{4, 0, 0, 0.3, 0}, true},
+      {{3, 0.3, 1, 0, 0}, false},
   };
   return all;
 }
+constexpr std::size_t usual_attempts = 5;
+constexpr double sound_jacobian = 0.25;
 
 // A trial's best outcome so far; ends with the best one in the draft.
 class BestPiece {
@@ -113,11 +122,12 @@ class BestPiece {
   explicit BestPiece(MeshDraft& draft) : draft_(draft), mark_(draft.mark()) {}
 
   const MeshDraft::Mark& mark() const { return mark_; }
-  bool found() const { return cost_ < 1e300; }
+  bool found() const { return best_.cost < 1e300; }
+  bool is_sound() const { return best_.worst > sound_jacobian; }
   void offer(bool valid) {
-    const double cost = valid ? relax_and_judge(draft_, mark_) : 1e300;
+    const Judgement judgement = valid ? relax_and_judge(draft_, mark_) : Judgement{};
     MeshDraft::Piece piece = draft_.take_back(mark_);
-    if (cost < cost_) cost_ = cost, piece_ = std::move(piece);
+    if (judgement.cost < best_.cost) best_ = judgement, piece_ = std::move(piece);
   }
   void keep() { draft_.put(piece_); }
 
@@ -125,12 +135,14 @@ class BestPiece {
   MeshDraft& draft_;
   MeshDraft::Mark mark_;
   MeshDraft::Piece piece_;
-  double cost_ = 1e300;
+  Judgement best_;
 };
 
 bool fill_area(MeshDraft& draft, const std::vector<NodeLoop>& loops) {
   BestPiece best(draft);
-  for (const Attempt& attempt : attempts()) {
+  for (std::size_t i = 0; i < attempts().size(); ++i) {
+    if (i >= usual_attempts && best.is_sound()) break;
+    const Attempt& attempt = attempts()[i];
     if (attempt.against_vote && loops.size() == 1) continue;
     const NodeLoop loop = loops.size() == 1 ? loops[0] : connect_loops(draft, loops, attempt.against_vote);
     if (!loop.empty()) fill_by_splitting(draft, loop, attempt.weights);

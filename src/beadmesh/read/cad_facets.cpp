@@ -27,8 +27,10 @@ class FaceFacetter {
     nodes_.crossing = find_crossing(polygons_, stretched_, nodes_.points);
     if (nodes_.crossing) return defective("its boundary crosses itself");
     limit_sizes();
+    const std::size_t boundary = nodes_.points.size();
     spawn_inner_points(*face_.surface, space_, polygons_, nodes_);
     triangulate_nodes();
+    if (!nodes_.defect.empty()) retry_without_inner_points(boundary);
     constexpr int most_rounds = 3;
     for (int round = 0; round < most_rounds && nodes_.defect.empty() && refine(); ++round) triangulate_nodes();
     return std::move(nodes_);
@@ -67,6 +69,15 @@ class FaceFacetter {
     }
     nodes_.triangles = std::move(plane->triangles);
     flip_towards_delaunay(stretched_, nodes_.points, nodes_.triangles, plane->neighbours);
+  }
+
+  /// Where loops nearly touch themselves, an inner point may have come to lie on them.
+  void retry_without_inner_points(std::size_t boundary) {
+    nodes_.defect.clear();
+    nodes_.points.resize(boundary);
+    nodes_.uv.resize(boundary);
+    stretched_.resize(boundary);
+    triangulate_nodes();
   }
 
   /// Adds the middle of each facet that is much too far from the surface; returns whether there was one.

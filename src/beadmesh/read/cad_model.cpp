@@ -57,8 +57,8 @@ std::string step_name(const Handle(XSControl_TransferReader) & transfer, const T
 Result<CadModel> load_step(const std::filesystem::path& path) {
   if (!tail_contains(path, "END-ISO-10303-21"))
     return truncated(path, "the file ends before END-ISO-10303-21");
-  const RawLoopWatch watch;
   STEPControl_Reader reader;
+  const RawLoopWatch watch;  // the first reader of a process sets up its own
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
     return unreadable(path, "the file is not a readable STEP file");
@@ -76,8 +76,8 @@ Result<CadModel> load_step(const std::filesystem::path& path) {
 }
 
 Result<CadModel> load_iges(const std::filesystem::path& path) {
-  const RawLoopWatch watch;
   IGESControl_Reader reader;
+  const RawLoopWatch watch;
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   if (!iges_is_complete(path)) return truncated(path, "the file has no terminate section");
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)

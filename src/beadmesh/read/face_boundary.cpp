@@ -125,14 +125,72 @@ void turn_loop(std::vector<NodeRun>& loop) {
   }
 }
 
-bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const Vec2 u = b - a, v = d - c;
-  const double turn = cross(u, v), scale = norm(u) * norm(v);
-  if (std::abs(turn) <= 0.03 * scale) return false;  // two samplings of nearly tangent curves may overlap a little
-  const double s = cross(c - a, v) / turn, t = cross(c - a, u) / turn;
-  constexpr double margin = 1e-3;
-  return s > margin && s < 1 - margin && t > margin && t < 1 - margin;
+constexpr double least_angle = 0.03;  // two samplings of nearly tangent curves may overlap a little
+constexpr double touch = 1e-6;        // of a segment: as near as this to its end is at its end
+
+/// A polygon on its way through a point.
+struct Passage {
+  Vec2 from, to;
+};
+
+/// Do two polygons that meet at `x` change sides there?
+bool change_sides(Vec2 x, const Passage& one, const Passage& other) {
+  const Vec2 out = other.to - x;
+  const auto turn = [&](Vec2 p) {
+    const double angle = std::atan2(cross(out, p - x), dot(out, p - x));
+    return angle < 0 ? angle + 2 * pi : angle;
+  };
+  const double sector = turn(other.from), a = turn(one.from), b = turn(one.to);
+  for (const double angle : {a, b})
+    if (angle < least_angle || 2 * pi - angle < least_angle || std::abs(angle - sector) < least_angle) return false;
+  return (a < sector) != (b < sector);
 }
+
+class CrossingSearch {
+ public:
+  CrossingSearch(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& points) : points_(points) {
+    for (const std::vector<Index>& polygon : polygons)
+      for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
+        Segment s{polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], 0, 0};
+        s.low = std::min(points[s.a].x, points[s.b].x);
+        s.high = std::max(points[s.a].x, points[s.b].x);
+        segments_.push_back(s);
+      }
+    std::stable_sort(segments_.begin(), segments_.end(), [](const Segment& s, const Segment& t) { return s.low < t.low; });
+  }
+
+  /// A node at the first crossing, or no_index.
+  Index find() const {
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      for (std::size_t j = i + 1; j < segments_.size() && segments_[j].low <= segments_[i].high; ++j)
+        if (cross_each_other(segments_[i], segments_[j])) return segments_[i].a;
+    return no_index;
+  }
+
+ private:
+  struct Segment {
+    Index before, a, b, after;
+    double low, high;
+  };
+
+  Passage passage(const Segment& s, double at) const {
+    return {points_[at < touch ? s.before : s.a], points_[at > 1 - touch ? s.after : s.b]};
+  }
+
+  bool cross_each_other(const Segment& s, const Segment& t) const {
+    if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) return false;
+    const Vec2 u = points_[s.b] - points_[s.a], v = points_[t.b] - points_[t.a];
+    const double turn = cross(u, v);
+    if (std::abs(turn) <= least_angle / 2 * norm(u) * norm(v)) return false;
+    const Vec2 gap = points_[t.a] - points_[s.a];
+    const double at_s = cross(gap, v) / turn, at_t = cross(gap, u) / turn;
+    if (at_s < -touch || at_s > 1 + touch || at_t < -touch || at_t > 1 + touch) return false;
+    return change_sides(points_[s.a] + u * at_s, passage(s, at_s), passage(t, at_t));
+  }
+
+  const std::vector<Vec2>& points_;
+  std::vector<Segment> segments_;
+};
 
 }  // namespace
 
@@ -161,25 +219,9 @@ std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, cons
 
 std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& stretched,
                                   const std::vector<Vec3>& points) {
-  struct Segment {
-    Index a, b;
-    double low, high;
-  };
-  std::vector<Segment> segments;
-  for (const std::vector<Index>& polygon : polygons)
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Index a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      segments.push_back({a, b, std::min(stretched[a].x, stretched[b].x), std::max(stretched[a].x, stretched[b].x)});
-    }
-  std::stable_sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) { return s.low < t.low; });
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    for (std::size_t j = i + 1; j < segments.size() && segments[j].low <= segments[i].high; ++j) {
-      const Segment &s = segments[i], &t = segments[j];
-      if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
-      if (cross_properly(stretched[s.a], stretched[s.b], stretched[t.a], stretched[t.b]))
-        return (points[s.a] + points[s.b] + points[t.a] + points[t.b]) / 4;
-    }
-  return {};
+  const Index node = CrossingSearch(polygons, stretched).find();
+  if (node == no_index) return {};
+  return points[node];
 }
 
 Diagnostic crossing_defect(Vec3 where, Index number) {

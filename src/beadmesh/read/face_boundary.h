@@ -13,7 +13,7 @@ namespace beadmesh {
 std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, const CadFace& face, Vec2 stretch,
                                                FaceNodes& nodes);
 
-/// First pair of segments found to cross, as the point of space near the crossing.
+/// A node beside the first place found where the polygons cross themselves or each other; touching is no crossing.
 std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& stretched,
                                   const std::vector<Vec3>& points);
 

@@ -48,8 +48,7 @@ class PointSpawner {
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3 before = nodes_.points[polygon[(i + n - 1) % n]], here = nodes_.points[polygon[i]],
                  after = nodes_.points[polygon[(i + 1) % n]];
-      const double spacing = std::max({distance(before, here), distance(here, after), 1e-9});
-      taken_.insert(here, spacing);
+      taken_.insert(here, space_.sizes.at(space_.stretched(nodes_.uv[polygon[i]])));
       guard_segment(polygon[i], polygon[(i + 1) % n]);
       const Vec2 uv = nodes_.uv[polygon[i]];
       const SurfaceFrame frame = frame_at(surface_, uv);
@@ -64,7 +63,7 @@ class PointSpawner {
     if (length <= 0) return;
     const double size = space_.sizes.at(space_.stretched((nodes_.uv[a] + nodes_.uv[b]) / 2));
     const int pieces = std::max(2, static_cast<int>(std::ceil(length / (0.8 * size))));
-    for (int i = 1; i < pieces; ++i) taken_.insert(lerp(from, to, static_cast<double>(i) / pieces), length);
+    for (int i = 1; i < pieces; ++i) taken_.insert(lerp(from, to, static_cast<double>(i) / pieces), size);
   }
 
   void spawn_from(const Spawner& parent) {

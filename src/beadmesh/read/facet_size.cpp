@@ -56,7 +56,7 @@ class GridSizes {
       const Vec3 a = points_[at(i0, j0)], b = points_[at(i1, j1)];
       const double length = distance(a, b);
       const double off = std::abs(dot((a + b) / 2 - points_[at(i, j)], normals_[at(i, j)]));
-      if (off > size_.chord()) return length * std::sqrt(size_.chord() / off);
+      if (off > 0.8 * size_.chord()) return length * std::sqrt(0.8 * size_.chord() / off);
       if (length >= limit) return limit;
     }
   }
@@ -73,13 +73,13 @@ FacetSize::FacetSize(const ReadOptions& options, double model_diagonal)
     : chord_(std::max(options.chord, 1e-4)), angle_(std::clamp(options.angle, radians(1), radians(45))) {
   largest_ = std::clamp(model_diagonal / 12, 1e-3, 40.0);
   if (options.max_facet > 0) largest_ = std::min(largest_, options.max_facet);
-  smallest_ = std::min(largest_, 18 * chord_);
+  smallest_ = std::min(largest_, 16 * chord_);
 }
 
 double FacetSize::on_surface(double curvature) const {
   // Facets may turn more than edges do, since normals come from the surface.
   const double k = std::max(curvature, 1e-9);
-  return std::clamp(std::min(std::sqrt(8 * chord_ / k), 2.5 * angle_ / k), smallest_, largest_);
+  return std::clamp(std::min(std::sqrt(6.5 * chord_ / k), 2.5 * angle_ / k), smallest_, largest_);
 }
 
 double FacetSize::on_curve(double curvature) const {
