@@ -55,6 +55,25 @@ TEST(Triangulation, long_constraint_across_many_points) {
   expect_triangles(region({points}), points.size() - 2);
 }
 
+// The edge between two regions crosses all the Delaunay edges between their points, which are much nearer to
+// each other.
+TEST(Triangulation, long_constraint_between_close_chains) {
+  for (const double angle : {0.0, 0.7})
+    for (const double bend : {0.0, 1e-9, 1e-6}) {
+      const int n = 3000;
+      Points upper{{0, 0}, {2.0 * n, 0}}, lower{{2.0 * n - 1, -5}};
+      const auto height = [&](int i) { return 1e-3 + bend * i * (n - i); };
+      for (int i = n; i-- > 1;) upper.push_back({2.0 * i, height(i)});
+      for (int i = n; i-- > 1;) lower.push_back({2.0 * i - 0.5, -height(i)});
+      lower.push_back({1, -5});
+      const auto [points, loops] =
+          flattened(region({transformed(upper, angle, 1, {}), transformed(lower, angle, 1, {})}));
+      const auto result = triangulate(points, loops);
+      ASSERT_TRUE(result) << to_line(result.error());
+      EXPECT_TRUE(verify_triangulation(*result, loops).empty());
+    }
+}
+
 TEST(Triangulation, grid_of_inner_points) {
   Points points = square(0, 0, 20);
   for (int i = 1; i < 20; ++i)

@@ -205,6 +205,21 @@ TEST(Cleanup, IsDeterministic) {
   EXPECT_EQ(first.nodes, second.nodes);
 }
 
+/// Nodes thrown far over their neighbours: must end, and must not make more of it.
+TEST(Cleanup, EndsOnTangledMesh) {
+  PlanarMesh mesh = sample::grid(14, 14, 5.0);
+  sample::shake(mesh, 20, 11);
+  clean(mesh);
+  EXPECT_LT(mesh.elements.size(), 300u);
+}
+
+/// Both guards at once: elements so flat and edges so short that no edit can satisfy them.
+TEST(Cleanup, EndsWhereGoalsCannotBeMet) {
+  PlanarMesh mesh = sample::grid(12, 12, 1.0);
+  for (Vec2& node : mesh.nodes) node.x += 3 * node.y;
+  clean(mesh);
+}
+
 TEST(Cleanup, SurvivesEmptyMeshAndOneQuad) {
   PlanarMesh empty;
   EXPECT_EQ(clean_up(empty, nullptr, {}).edits, 0);

@@ -33,11 +33,11 @@ CrossSection cross_section(const FaceStudy& study, const MedialPoint& medial) {
   const Vec3 from_chord = (out.crest - a) - along * dot(out.crest - a, along);
   const Vec3 na = map.normal(left), nb = map.normal(right);
   const Vec3 up = normalized(na + nb);
-  const double side = dot(from_chord, up) < 0 ? -1 : 1;
-  out.height = norm(from_chord);
+  const double over = dot(from_chord, up);
+  out.height = std::abs(over);
   // Normals that lean apart mean a sheet that bulges up between the feet, by chord * angle / 8.
   const double bulge = out.chord * std::asin(std::clamp(dot(nb - na, along) / 2, -1.0, 1.0)) * 2 / 8;
-  out.rise = std::abs(side * out.height - bulge);
+  out.rise = std::abs(over - bulge);
   return out;
 }
 

@@ -40,7 +40,7 @@ std::vector<Vec2> inner_part(const std::vector<Vec2>& line, double from_share, d
 class CapBuilder {
  public:
   CapBuilder(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest, int m,
-             double size)
+             double size, double min_edge)
       : builder_(builder), chord_(chord), tip_(tip), half_core_((m - 2) / 2) {
     crest_.push_back(builder.point_of(chord.middle));
     crest_.insert(crest_.end(), crest.begin(), crest.end());
@@ -51,7 +51,27 @@ class CapBuilder {
     tip_at_ = vertices[tip].boundary.position;
     left_arc_ = boundary_distance(builder, left_at_, tip_at_, loop_);
     right_arc_ = boundary_distance(builder, tip_at_, vertices[chord.right].boundary.position, loop_);
-    rows_ = std::max(1, int(std::lround((left_arc_ + right_arc_) / (2 * size) - half_core_)));
+    rows_ = best_rows(size, min_edge);
+  }
+
+  /// Rows along the cap: elements near the size both round the arc and along the crest, none under the minimum where
+  /// that is possible.
+  int best_rows(double size, double min_edge) const {
+    double crest = 0;
+    for (size_t i = 1; i < crest_.size(); ++i) crest += distance(crest_[i - 1], crest_[i]);
+    const int end_rows = half_core_ == 0 ? 0 : 1;  // the tip's own band
+    int best = 1;
+    double best_misfit = 1e300;
+    for (int p = 1; p <= 40; ++p) {
+      const double round = (left_arc_ + right_arc_) / (2 * (p + std::max(1, half_core_))), along = crest / (p + end_rows);
+      if (p > 1 && std::min(round, along) < 1.12 * min_edge) break;
+      const double misfit = std::abs(std::log(round / size)) + std::abs(std::log(along / size));
+      if (misfit < best_misfit) {
+        best_misfit = misfit;
+        best = p;
+      }
+    }
+    return best;
   }
 
   void run() { half_core_ == 0 ? add_without_core() : add_with_core(); }
@@ -68,7 +88,7 @@ class CapBuilder {
     const double share = double(rows_) / (rows_ + 1);
     const Index left_bend = boundary_vertex(share * left_arc_);
     const Index right_bend = boundary_vertex(left_arc_ + (1 - share) * right_arc_);
-    builder_.add_edge(chord_.middle, tip_, VirtualEdgeKind::ridge, inner_part(crest_, 0, 1));
+    builder_.add_edge(chord_.middle, tip_, VirtualEdgeKind::ridge, inner_part(crest_, 0, 1), rows_);
     builder_.add_boundary_edge(chord_.left, left_bend, true);
     builder_.add_boundary_edge(left_bend, tip_, true, 1);
     builder_.add_boundary_edge(tip_, right_bend, true, 1);
@@ -88,7 +108,7 @@ class CapBuilder {
     const Index s = builder_.add_vertex(core_corner(core_end, a, left_arc));
     const Index r = builder_.add_vertex(core_corner(core_end, b, right_arc));
     const auto inner = VirtualEdgeKind::inner;
-    builder_.add_edge(chord_.middle, core_end, VirtualEdgeKind::ridge, inner_part(crest_, 0, core_share));
+    builder_.add_edge(chord_.middle, core_end, VirtualEdgeKind::ridge, inner_part(crest_, 0, core_share), rows_);
     builder_.add_edge(core_end, tip_, VirtualEdgeKind::ridge, inner_part(crest_, core_share, 1), 1);
     builder_.add_edge(a, s, inner);
     builder_.add_edge(b, r, inner);
@@ -150,8 +170,8 @@ void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_acr
 }
 
 void add_end_cap(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
-                 int elements_across, double size) {
-  CapBuilder(builder, chord, tip, crest, elements_across, size).run();
+                 int elements_across, double size, double min_edge) {
+  CapBuilder(builder, chord, tip, crest, elements_across, size, min_edge).run();
 }
 
 }  // namespace beadmesh

@@ -11,7 +11,7 @@ namespace beadmesh::delaunay {
 namespace {
 
 constexpr Index leaf_size = 8;
-constexpr double slack = 1e-13;  // rounding of coordinates in the frame / extent of the chain
+constexpr double slack = 4e-15;  // bound of the rounding of lengths in the frame / extent of the chain
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace

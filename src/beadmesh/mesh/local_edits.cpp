@@ -250,36 +250,75 @@ int remove_doublets(MeshEditor& editor) {
   return edits;
 }
 
+namespace {
+
+struct ShortEdge {
+  double length;
+  Index a, b;
+  friend auto operator<=>(const ShortEdge&, const ShortEdge&) = default;
+};
+
+/// Edges below the minimum with an end that can move, shortest first; not more than a small share of the
+/// mesh.
+std::vector<ShortEdge> short_edges(const MeshEditor& editor) {
+  std::vector<ShortEdge> edges;
+  const Index count = editor.mesh().node_count();
+  for (Index a = 0; a < count; ++a)
+    for (const Index b : editor.mesh().neighbours(a)) {
+      if (b < a || (!editor.is_free(a) && !editor.is_free(b))) continue;
+      const double length = distance(editor.nodes().space(a), editor.nodes().space(b));
+      if (length < editor.limits().min_edge) edges.push_back({length, a, b});
+    }
+  std::sort(edges.begin(), edges.end());
+  edges.resize(std::min<size_t>(edges.size(), static_cast<size_t>(50 + count / 50)));
+  return edges;
+}
+
+}  // namespace
+
 int remove_short_edges(MeshEditor& editor) {
   int edits = 0;
   std::vector<Index> touched;
   for (int round = 0; round < 5; ++round) {
     const int before = edits;
-    for (Index node = 0; node < editor.mesh().node_count(); ++node)
-      for (const Index other : editor.mesh().neighbours(node)) {
-        if (other < node) continue;
-        const double length = distance(editor.nodes().space(node), editor.nodes().space(other));
-        if (length >= editor.limits().min_edge) continue;
-        if (!editor.is_free(node) && !editor.is_free(other)) continue;
-        const std::array<Index, 2> ends = {node, other};
-        if (!try_edits_at(editor, ends, EditAim::longer_edges, -30, 40, touched)) continue;
-        ++edits;
-        break;
-      }
+    for (const ShortEdge& edge : short_edges(editor)) {
+      // An edit before may have taken an end away or lengthened the edge.
+      if (editor.mesh().star(edge.a).empty() || editor.mesh().star(edge.b).empty()) continue;
+      if (distance(editor.nodes().space(edge.a), editor.nodes().space(edge.b)) >= editor.limits().min_edge)
+        continue;
+      const std::array<Index, 2> ends = {edge.a, edge.b};
+      if (try_edits_at(editor, ends, EditAim::longer_edges, -30, 20, touched)) ++edits;
+    }
     if (edits == before) break;
   }
   return edits;
 }
 
+std::vector<Index> poor_elements(const MeshEditor& editor, double wanted) {
+  std::vector<std::pair<double, Index>> poor;
+  Index alive = 0;
+  for (Index e = 0; e < editor.mesh().element_count(); ++e) {
+    if (!editor.mesh().is_alive(e)) continue;
+    ++alive;
+    const double quality = signed_quality(editor.nodes(), editor.mesh().element(e));
+    if (quality < wanted) poor.emplace_back(quality, e);
+  }
+  std::sort(poor.begin(), poor.end());
+  // A mesh that is poor all over is not repaired element by element.
+  poor.resize(std::min<size_t>(poor.size(), static_cast<size_t>(50 + alive / 50)));
+  std::vector<Index> elements;
+  for (const auto& [quality, e] : poor) elements.push_back(e);
+  return elements;
+}
+
 int improve_shapes(MeshEditor& editor, double wanted) {
   int edits = 0;
   std::vector<Index> touched;
-  for (Index e = 0; e < editor.mesh().element_count(); ++e) {
+  for (const Index e : poor_elements(editor, wanted)) {
     if (!editor.mesh().is_alive(e)) continue;
     const MeshElement corners = editor.mesh().element(e);
-    if (signed_quality(editor.nodes(), corners) >= wanted) continue;
     const std::span<const Index> nodes(corners.data(), static_cast<size_t>(corner_count(corners)));
-    if (try_edits_at(editor, nodes, EditAim::better_shape, -8, 40, touched)) ++edits;
+    if (try_edits_at(editor, nodes, EditAim::better_shape, -8, 20, touched)) ++edits;
   }
   return edits;
 }

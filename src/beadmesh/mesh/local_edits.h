@@ -19,6 +19,10 @@ int remove_doublets(MeshEditor& editor);
 /// near it rotated, even where that makes nodes irregular. Returns the number of edits.
 int remove_short_edges(MeshEditor& editor);
 
+/// The elements whose scaled Jacobian is below `wanted`, worst first; not more than a small share of the
+/// mesh.
+std::vector<Index> poor_elements(const MeshEditor& editor, double wanted);
+
 /// Elements whose scaled Jacobian is below `wanted`: edits at their corners that raise the worst one around,
 /// even where they make nodes irregular. Returns the number of edits.
 int improve_shapes(MeshEditor& editor, double wanted);

@@ -9,7 +9,7 @@ namespace {
 constexpr int passes = 8;
 constexpr double good_enough = 0.8;     // scaled Jacobian that a move may cost
 constexpr double irregular_cost = 0.2;  // against one inverted element of 1 + poor_cost
-constexpr double poor_jacobian = 0.45, poor_cost = 3;
+constexpr double poor_jacobian = 0.65, poor_cost = 3;
 constexpr double short_edge = 0.6, short_cost = 3;  // in sizes
 constexpr double triangle_cost = 2;
 
@@ -44,8 +44,9 @@ class Trial {
     std::vector<Index> touched;
     for (std::size_t e = mark_.elements; e < draft_.elements().size(); ++e) {
       const MeshElement& element = draft_.elements()[e];
-      const double lack = 1 - jacobian(element),
-                   poor = std::max(0.0, poor_jacobian - 1 + lack) / poor_jacobian;
+      const double quality = jacobian(element), lack = 1 - quality;
+      const double poor = std::max(0.0, poor_jacobian - quality) / poor_jacobian;
+      worst = std::min(worst, quality);
       cost += lack * lack + poor_cost * poor + (is_quad(element) ? 0 : triangle_cost);
       const int corners = is_quad(element) ? 4 : 3;
       for (int i = 0; i < corners; ++i) {

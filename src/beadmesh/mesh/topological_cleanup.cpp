@@ -5,6 +5,7 @@
 #include "beadmesh/mesh/local_edits.h"
 #include "beadmesh/mesh/mesh_editor.h"
 #include "beadmesh/mesh/patch_replacement.h"
+#include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/triangle_marriage.h"
 
 namespace beadmesh {
@@ -40,10 +41,9 @@ int replace_around_poor_shapes(MeshEditor& editor, PatchReplacement& patches) {
   constexpr int max_quads = 60;
   int edits = 0;
   std::vector<Index> touched;
-  for (Index e = 0; e < editor.mesh().element_count(); ++e) {
+  for (const Index e : poor_elements(editor, poor_shape)) {
     if (!editor.mesh().is_alive(e)) continue;
     const MeshElement corners = editor.mesh().element(e);
-    if (signed_quality(editor.nodes(), corners) >= poor_shape) continue;
     for (int i = 0; i < corner_count(corners); ++i) {
       if (!patches.improve_shape(corners[i], max_quads, touched)) continue;
       ++edits;
@@ -53,10 +53,24 @@ int replace_around_poor_shapes(MeshEditor& editor, PatchReplacement& patches) {
   return edits;
 }
 
+/// Edits are judged by shape, so a mesh with elements turned over is smoothed before.
+void untangle_first(PlanarMesh& mesh, const SurfaceMap* map, const CleanupOptions& options) {
+  const SurfaceNodes nodes(mesh.nodes, map);
+  for (const MeshElement& element : mesh.elements) {
+    if (signed_quality(nodes, element) > 0) continue;
+    SmoothingOptions smoothing;
+    smoothing.size = options.size;
+    smoothing.min_edge = options.min_edge;
+    smooth(mesh, map, {}, smoothing);
+    return;
+  }
+}
+
 }  // namespace
 
 CleanupReport clean_up(PlanarMesh& mesh, const SurfaceMap* map,
                        const std::vector<std::array<Index, 2>>& kept_edges, const CleanupOptions& options) {
+  untangle_first(mesh, map, options);
   MeshEditor editor(mesh, map, kept_edges, {options.size, options.min_edge, 0.6});
   CleanupReport report;
   report.irregular_before = editor.count_irregular();

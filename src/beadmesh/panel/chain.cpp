@@ -137,10 +137,10 @@ class ChainBuilder {
 
   const Panel& panel_;
   double corner_angle_;
-  std::vector<std::array<Index, 2>> sides_;   // per edge: left and right face
-  std::vector<int> uses_;                     // per edge: how many loops run through it
-  std::vector<std::vector<EdgeUse>> ends_;    // per point: the edges that end there, as the uses that leave it
-  std::vector<Place> places_;                 // per edge
+  std::vector<std::array<Index, 2>> sides_;  // per edge: left and right face
+  std::vector<int> uses_;                    // per edge: how many loops run through it
+  std::vector<std::vector<EdgeUse>> ends_;   // per point: the edges that end there, as the uses that leave it
+  std::vector<Place> places_;                // per edge
   ChainSet set_;
 };
 

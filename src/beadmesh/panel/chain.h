@@ -1,4 +1,5 @@
-// Boundary chains: the stretches of B-rep edges between two real corners, that receive mesh nodes once for all faces.
+// Boundary chains: the stretches of B-rep edges between two real corners, that receive mesh nodes once for
+// all faces.
 #pragma once
 
 #include <array>
@@ -14,12 +15,12 @@ struct ChainPosition {
   double fraction = 0;
 };
 
-/// A maximal run of edges between the same two faces without a corner. A vertex inside a chain where the edges meet
-/// tangentially is no mesh constraint.
+/// A maximal run of edges between the same two faces without a corner. A vertex inside a chain where the
+/// edges meet tangentially is no mesh constraint.
 struct Chain {
-  std::vector<EdgeUse> edges;       ///< head to tail
-  std::vector<Index> points;        ///< indices into Panel::points; closed: first == last
-  std::vector<double> arc_length;   ///< per point, from 0; last = length
+  std::vector<EdgeUse> edges;                      ///< head to tail
+  std::vector<Index> points;                       ///< indices into Panel::points; closed: first == last
+  std::vector<double> arc_length;                  ///< per point, from 0; last = length
   std::array<Index, 2> faces{no_index, no_index};  ///< left (runs along its loop) and right; no_index: free
   bool closed = false;
 

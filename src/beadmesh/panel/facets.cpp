@@ -27,7 +27,9 @@ Vec3 loop_vector_area(const Facets& facets, const std::vector<Index>& loop) {
 }
 
 /// Corner 3 * t + k is corner k of triangle t; half-edge 3 * t + k runs from corner k to the next.
-constexpr Index next_corner(Index c) { return c % 3 == 2 ? c - 2 : c + 1; }
+constexpr Index next_corner(Index c) {
+  return c % 3 == 2 ? c - 2 : c + 1;
+}
 
 class FacetTracer {
  public:
@@ -44,15 +46,13 @@ class FacetTracer {
   }
 
  private:
-  /// Half-edges that are alone in their direction and have one partner in the other are inner; all others (free, of
-  /// three or more triangles, or of two that disagree in orientation) are boundary.
+  /// Half-edges that are alone in their direction and have one partner in the other are inner; all others
+  /// (free, of three or more triangles, or of two that disagree in orientation) are boundary.
   void pair_half_edges() {
     const Index n = static_cast<Index>(corner_point_.size());
     std::vector<Index> order(n);
     for (Index c = 0; c < n; ++c) order[c] = c;
-    const auto key = [&](Index c) {
-      return std::minmax({corner_point_[c], corner_point_[next_corner(c)]});
-    };
+    const auto key = [&](Index c) { return std::minmax({corner_point_[c], corner_point_[next_corner(c)]}); };
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
       const auto ka = key(a), kb = key(b);
       return ka != kb ? ka < kb : a < b;
@@ -67,7 +67,8 @@ class FacetTracer {
     }
   }
 
-  /// Turns from half-edge to half-edge around the tail of `c`, clockwise, until the boundary (or a full turn).
+  /// Turns from half-edge to half-edge around the tail of `c`, clockwise, until the boundary (or a full
+  /// turn).
   Index first_in_fan(Index c) const {
     Index at = c;
     while (opposite_[at] != no_index) {
@@ -77,7 +78,8 @@ class FacetTracer {
     return at;
   }
 
-  /// One local vertex per fan of triangles, so that a point where the piece only touches itself stays manifold.
+  /// One local vertex per fan of triangles, so that a point where the piece only touches itself stays
+  /// manifold.
   void weld_corners() {
     const Index n = static_cast<Index>(corner_point_.size());
     corner_vertex_.assign(n, no_index);
@@ -93,7 +95,8 @@ class FacetTracer {
     }
   }
 
-  /// Counter-clockwise from the first half-edge of the fan: the one before it in the triangle, seen from beyond.
+  /// Counter-clockwise from the first half-edge of the fan: the one before it in the triangle, seen from
+  /// beyond.
   void mark_fan(Index first, Index vertex) {
     for (Index at = first; at != no_index && corner_vertex_[at] == no_index;) {
       corner_vertex_[at] = vertex;

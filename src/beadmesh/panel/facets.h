@@ -20,18 +20,19 @@ class SurfaceEvaluator {
 
 /// Connected, oriented, manifold triangulation with one or more boundary loops.
 struct Facets {
-  std::vector<Vec3> points;                          ///< local vertices
-  std::vector<Index> panel_points;                   ///< per local vertex its index in Panel::points
-  std::vector<Triangle> triangles;                   ///< local vertices, counter-clockwise about the normal
-  std::vector<std::array<Vec2, 3>> triangle_uv;      ///< surface parameters of the corners; empty: facets only
-  std::vector<Index> triangle_face;                  ///< index in Panel::faces
-  std::vector<std::vector<Index>> loops;             ///< closed, first vertex not repeated, face on the left; outer first
+  std::vector<Vec3> points;                      ///< local vertices
+  std::vector<Index> panel_points;               ///< per local vertex its index in Panel::points
+  std::vector<Triangle> triangles;               ///< local vertices, counter-clockwise about the normal
+  std::vector<std::array<Vec2, 3>> triangle_uv;  ///< surface parameters of the corners; empty: facets only
+  std::vector<Index> triangle_face;              ///< index in Panel::faces
+  std::vector<std::vector<Index>>
+      loops;  ///< closed, first vertex not repeated, face on the left; outer first
   std::vector<std::shared_ptr<const SurfaceEvaluator>> surfaces;  ///< per index in Panel::faces; null: none
 };
 
-/// Triangles on shared points (indices into `points`, which become panel_points) as facets of their own: local vertices, loops
-/// traced, outer first; triangles keep their order. A point where the piece only touches itself becomes several
-/// vertices. No uv, no faces.
+/// Triangles on shared points (indices into `points`, which become panel_points) as facets of their own:
+/// local vertices, loops traced, outer first; triangles keep their order. A point where the piece only
+/// touches itself becomes several vertices. No uv, no faces.
 Facets facets_of_triangles(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 
 /// Sum of the area vectors of the triangles, mm^2; its direction is the mean normal.
@@ -40,8 +41,8 @@ Vec3 vector_area(const Facets& facets);
 /// Sum of the triangles' areas, mm^2.
 double area(const Facets& facets);
 
-/// Position in `loops` of the outer one: the largest area about the mean normal; on a piece that closes around itself
-/// (a tube, whose mean normal vanishes) the longest. 0 where there is none.
+/// Position in `loops` of the outer one: the largest area about the mean normal; on a piece that closes
+/// around itself (a tube, whose mean normal vanishes) the longest. 0 where there is none.
 std::size_t outer_loop(const Facets& facets);
 
 }  // namespace beadmesh

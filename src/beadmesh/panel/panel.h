@@ -20,10 +20,10 @@ class CurveEvaluator {
 
 /// An edge of the B-rep, facetted once for all faces around it.
 struct PanelEdge {
-  std::vector<Index> points;       ///< indices into Panel::points, at least 2; first == last for a closed edge
+  std::vector<Index> points;  ///< indices into Panel::points, at least 2; first == last for a closed edge
   std::vector<double> parameters;  ///< curve parameter of each point, monotone; empty without a curve
   std::shared_ptr<const CurveEvaluator> curve;  ///< null: the polyline is all there is
-  std::vector<Index> faces;        ///< faces around it, one entry a use: 1 = free edge, 2 = inner, > 2 non-manifold
+  std::vector<Index> faces;  ///< faces around it, one entry a use: 1 = free edge, 2 = inner, > 2 non-manifold
 };
 
 struct EdgeUse {
@@ -33,9 +33,9 @@ struct EdgeUse {
 
 struct PanelFace {
   std::vector<std::vector<EdgeUse>> loops;  ///< head to tail, face on the left; the outer loop first
-  Facets facets;       ///< of this face alone: facets.loops[i] runs through the points of loops[i]
-  Index number = 0;    ///< 1-based, in the order of the input file
-  std::string name;    ///< from the file; may be empty
+  Facets facets;     ///< of this face alone: facets.loops[i] runs through the points of loops[i]
+  Index number = 0;  ///< 1-based, in the order of the input file
+  std::string name;  ///< from the file; may be empty
 };
 
 /// All lengths in mm. Orientation of the faces is consistent across shared edges of each connected piece.
@@ -43,13 +43,14 @@ struct Panel {
   std::vector<Vec3> points;
   std::vector<PanelEdge> edges;
   std::vector<PanelFace> faces;
-  std::string input;                     ///< file name, for reports
-  std::string unit = "mm";               ///< unit of the file; coordinates are converted to mm
-  std::vector<Diagnostic> diagnostics;   ///< what the reader mended or left out
+  std::string input;                    ///< file name, for reports
+  std::string unit = "mm";              ///< unit of the file; coordinates are converted to mm
+  std::vector<Diagnostic> diagnostics;  ///< what the reader mended or left out
 };
 
 /// Joins the facets of connected faces into one piece (a composite face); its loops are those edges that have
-/// only one side in `faces`. A seam of a closed face stays a pair of boundary stretches only in the face's own facets.
+/// only one side in `faces`. A seam of a closed face stays a pair of boundary stretches only in the face's
+/// own facets.
 Facets facets_of(const Panel& panel, const std::vector<Index>& faces);
 
 /// Checks every invariant stated above. Returns the violations, in words; empty where all hold.

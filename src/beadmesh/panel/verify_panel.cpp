@@ -58,7 +58,8 @@ class PanelChecker {
     check_manifold(name, face.facets);
     if (face.loops.size() != face.facets.loops.size()) return report(name + ": loops and facet loops differ");
     for (std::size_t l = 0; l < face.loops.size(); ++l) check_loop(name, f, l);
-    if (!face.loops.empty() && outer_loop(face.facets) != 0) report(name + ": the outer loop is not the first");
+    if (!face.loops.empty() && outer_loop(face.facets) != 0)
+      report(name + ": the outer loop is not the first");
   }
 
   bool check_arrays(const std::string& name, Index f) {
@@ -66,7 +67,8 @@ class PanelChecker {
     const std::size_t before = violations_.size();
     if (facets.triangles.empty()) report(name + " has no triangles");
     if (facets.points.size() != facets.panel_points.size()) report(name + ": points and panel_points differ");
-    if (facets.triangle_face.size() != facets.triangles.size()) report(name + ": triangle_face is incomplete");
+    if (facets.triangle_face.size() != facets.triangles.size())
+      report(name + ": triangle_face is incomplete");
     if (!facets.triangle_uv.empty() && facets.triangle_uv.size() != facets.triangles.size())
       report(name + ": triangle_uv is incomplete");
     for (const Index other : facets.triangle_face)
@@ -84,12 +86,14 @@ class PanelChecker {
     return violations_.size() == before;
   }
 
-  /// Every directed half-edge once; those without an opposite are exactly the loops' segments; one connected piece.
+  /// Every directed half-edge once; those without an opposite are exactly the loops' segments; one connected
+  /// piece.
   void check_manifold(const std::string& name, const Facets& facets) {
     std::map<std::pair<Index, Index>, Index> half_edges;
     for (Index t = 0; t < size_of(facets.triangles); ++t)
       for (int k = 0; k < 3; ++k)
-        if (!half_edges.emplace(std::pair{facets.triangles[t][k], facets.triangles[t][(k + 1) % 3]}, t).second)
+        if (!half_edges.emplace(std::pair{facets.triangles[t][k], facets.triangles[t][(k + 1) % 3]}, t)
+                 .second)
           return report(name + ": two triangles run the same way along an edge");
     std::vector<std::pair<Index, Index>> boundary, loops;
     for (const auto& [edge, t] : half_edges)
@@ -160,6 +164,8 @@ class PanelChecker {
 
 }  // namespace
 
-std::vector<std::string> verify_panel(const Panel& panel) { return PanelChecker(panel).check(); }
+std::vector<std::string> verify_panel(const Panel& panel) {
+  return PanelChecker(panel).check();
+}
 
 }  // namespace beadmesh

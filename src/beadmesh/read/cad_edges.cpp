@@ -46,7 +46,8 @@ double curvature_on(const CadEdge& edge, double t) {
 /// Places samples along one edge so that each step has about the wanted size there.
 class EdgeSampler {
  public:
-  EdgeSampler(CadEdge& edge, const std::vector<UseInFace>& uses, const FaceSpaces& spaces, const FacetSize& size)
+  EdgeSampler(CadEdge& edge, const std::vector<UseInFace>& uses, const FaceSpaces& spaces,
+              const FacetSize& size)
       : edge_(edge), uses_(uses), spaces_(spaces), size_(size) {}
 
   void sample() {
@@ -127,9 +128,11 @@ class EdgeRefiner {
 
   void refine() {
     std::vector<bool> dirty(topology_.edges.size(), true);
-    for (int round = 0; round < max_rounds && std::find(dirty.begin(), dirty.end(), true) != dirty.end(); ++round) {
+    for (int round = 0; round < max_rounds && std::find(dirty.begin(), dirty.end(), true) != dirty.end();
+         ++round) {
       marks_.resize(topology_.edges.size());
-      for (std::size_t e = 0; e < marks_.size(); ++e) marks_[e].assign(topology_.edges[e].points.size(), false);
+      for (std::size_t e = 0; e < marks_.size(); ++e)
+        marks_[e].assign(topology_.edges[e].points.size(), false);
       for (const CadFace& face : topology_.faces)
         if (!face.broken && touches(face, dirty)) mark_face(face);
       for (std::size_t e = 0; e < marks_.size(); ++e) dirty[e] = split_marked(e);
@@ -155,7 +158,8 @@ class EdgeRefiner {
         const std::vector<Vec3>& points = topology_.edges[use.edge].points;
         cloud.points.insert(cloud.points.end(), points.begin(), points.end());
       }
-    using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointCloud>, PointCloud, 3>;
+    using Tree =
+        nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointCloud>, PointCloud, 3>;
     const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
     for (const std::vector<CadUse>& loop : face.loops) {
       for (const CadUse& use : loop) mark_crowded(use.edge, tree);
@@ -248,8 +252,9 @@ std::optional<FaceSpace> face_space(const CadFace& face, const FacetSize& size) 
   const std::optional<Box> box = parameter_box(face);
   if (!box) return {};
   const Vec2 stretch = mean_stretch(*face.surface, box->low, box->high);
-  FaceSpace space{stretch, SizeField(*face.surface, size, stretch, {box->low.x * stretch.x, box->low.y * stretch.y},
-                                     {box->high.x * stretch.x, box->high.y * stretch.y})};
+  FaceSpace space{stretch,
+                  SizeField(*face.surface, size, stretch, {box->low.x * stretch.x, box->low.y * stretch.y},
+                            {box->high.x * stretch.x, box->high.y * stretch.y})};
   space.sizes.smooth();
   return space;
 } catch (const Standard_Failure&) {

@@ -10,7 +10,8 @@
 
 namespace beadmesh {
 
-/// The plane in which a face is facetted: its parameters, stretched to about mm, with the facet size wanted there.
+/// The plane in which a face is facetted: its parameters, stretched to about mm, with the facet size wanted
+/// there.
 struct FaceSpace {
   Vec2 stretch;
   SizeField sizes;
@@ -24,8 +25,8 @@ using FaceSpaces = std::vector<std::optional<FaceSpace>>;
 
 FaceSpaces face_spaces(const CadTopology& topology, const FacetSize& size, const Context& context);
 
-/// Fills parameters and points of all edges: sizes wanted by curve and faces, then finer where another edge of the same face
-/// is near, or a neighbour along the loop is much shorter.
+/// Fills parameters and points of all edges: sizes wanted by curve and faces, then finer where another edge
+/// of the same face is near, or a neighbour along the loop is much shorter.
 void sample_edges(CadTopology& topology, const FaceSpaces& spaces, const FacetSize& size);
 
 /// Fills parameters and points of all edges from their own curvature alone, within `chord`.

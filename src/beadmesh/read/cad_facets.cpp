@@ -32,7 +32,8 @@ class FaceFacetter {
     triangulate_nodes();
     if (!nodes_.defect.empty()) retry_without_inner_points(boundary);
     constexpr int most_rounds = 3;
-    for (int round = 0; round < most_rounds && nodes_.defect.empty() && refine(); ++round) triangulate_nodes();
+    for (int round = 0; round < most_rounds && nodes_.defect.empty() && refine(); ++round)
+      triangulate_nodes();
     return std::move(nodes_);
   }
 
@@ -44,7 +45,8 @@ class FaceFacetter {
   }
 
   void stretch_new_nodes() {
-    while (stretched_.size() < nodes_.uv.size()) stretched_.push_back(space_.stretched(nodes_.uv[stretched_.size()]));
+    while (stretched_.size() < nodes_.uv.size())
+      stretched_.push_back(space_.stretched(nodes_.uv[stretched_.size()]));
   }
 
   void limit_sizes() {
@@ -132,7 +134,8 @@ FaceNodes facet_face(const CadTopology& topology, Index face, FaceSpace space, d
   }
 }
 
-std::vector<FaceNodes> facet_faces(CadTopology& topology, const ReadOptions& options, const Context& context) {
+std::vector<FaceNodes> facet_faces(CadTopology& topology, const ReadOptions& options,
+                                   const Context& context) {
   const FacetSize size(options, diagonal_of(topology));
   FaceSpaces spaces = face_spaces(topology, size, context);
   sample_edges(topology, spaces, size);

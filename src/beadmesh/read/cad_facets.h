@@ -30,9 +30,10 @@ struct FaceNodes {
   std::optional<Vec3> crossing;             ///< set where a loop crosses itself or another
 };
 
-/// Facets one face. Boundary points come from the edges; inner points are spawned from the boundary inwards, in hexagonal
-/// packing on the surface (after "Simultaneous spawning", Baudouin, Remacle et al. 2014), then triangulated (constrained Delaunay in the
-/// stretched parameters), then edges are flipped to be Delaunay in space.
+/// Facets one face. Boundary points come from the edges; inner points are spawned from the boundary inwards,
+/// in hexagonal packing on the surface (after "Simultaneous spawning", Baudouin, Remacle et al. 2014), then
+/// triangulated (constrained Delaunay in the stretched parameters), then edges are flipped to be Delaunay in
+/// space.
 FaceNodes facet_face(const CadTopology& topology, Index face, FaceSpace space, double chord);
 
 /// Samples the edges of `topology` and facets all its faces.

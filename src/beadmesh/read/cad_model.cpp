@@ -6,6 +6,7 @@
 #include <BinTools.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepRepr_RepresentationItem.hxx>
@@ -17,9 +18,11 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <algorithm>
 #include <fstream>
 #include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
 
 #include "beadmesh/read/cad_raw_loops.h"
 #include "beadmesh/read/input_file.h"
@@ -28,6 +31,20 @@ namespace beadmesh {
 namespace {
 
 using NameOf = std::function<std::string(const TopoDS_Face&)>;
+
+class SilencedOutput {
+ public:
+  SilencedOutput() : before_(std::cout.rdbuf(nullptr)) {}
+  ~SilencedOutput() {
+    std::cout.rdbuf(before_);
+    std::cout.clear();
+  }
+  SilencedOutput(const SilencedOutput&) = delete;
+  SilencedOutput& operator=(const SilencedOutput&) = delete;
+
+ private:
+  std::streambuf* before_;
+};
 
 Failure truncated(const std::filesystem::path& path, std::string message) {
   return fail("read.truncated", std::move(message), "export the file again", path.filename().string());
@@ -47,11 +64,22 @@ void list_faces(const TopoDS_Shape& shape, const NameOf& name_of_face, CadModel&
 }
 
 std::string step_name(const Handle(XSControl_TransferReader) & transfer, const TopoDS_Face& face) {
-  const auto item =
-      Handle(StepRepr_RepresentationItem)::DownCast(transfer->EntityFromShapeResult(face, 1));
+  const auto item = Handle(StepRepr_RepresentationItem)::DownCast(transfer->EntityFromShapeResult(face, 1));
   if (item.IsNull() || item->Name().IsNull()) return {};
   const std::string name = item->Name()->ToCString();
   return name == "NONE" ? std::string() : name;
+}
+
+/// OpenCASCADE reports references that lead nowhere or to the wrong kind of entity, then follows them and
+/// crashes.
+std::optional<std::string> damaged_entity(const Handle(Interface_InterfaceModel) & model) {
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    if (!model->IsErrorEntity(i)) continue;
+    const std::string type = model->Value(i)->DynamicType()->Name();
+    if (type.starts_with("StepGeom_") || type.starts_with("StepShape_") || type.starts_with("IGESGeom_"))
+      return model->StringLabel(model->Value(i))->ToCString();
+  }
+  return {};
 }
 
 Result<CadModel> load_step(const std::filesystem::path& path) {
@@ -62,6 +90,8 @@ Result<CadModel> load_step(const std::filesystem::path& path) {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
     return unreadable(path, "the file is not a readable STEP file");
+  if (const auto entity = damaged_entity(reader.WS()->Model()))
+    return unreadable(path, "entity " + *entity + " refers to what is not there, or is of the wrong kind");
   CadModel model;
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
@@ -71,7 +101,8 @@ Result<CadModel> load_step(const std::filesystem::path& path) {
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull()) return model;
   const Handle(XSControl_TransferReader) transfer = reader.WS()->TransferReader();
-  list_faces(shape, [&](const TopoDS_Face& face) { return step_name(transfer, face); }, model);
+  list_faces(
+      shape, [&](const TopoDS_Face& face) { return step_name(transfer, face); }, model);
   return model;
 }
 
@@ -85,8 +116,7 @@ Result<CadModel> load_iges(const std::filesystem::path& path) {
   CadModel model;
   const Handle(IGESData_IGESModel) file = reader.IGESModel();
   if (file.IsNull()) return unreadable(path, "the file is not a readable IGES file");
-  if (!file->GlobalSection().UnitName().IsNull())
-    model.unit = file->GlobalSection().UnitName()->ToCString();
+  if (!file->GlobalSection().UnitName().IsNull()) model.unit = file->GlobalSection().UnitName()->ToCString();
   reader.TransferRoots();
   if (watch.defect()) return Failure(*watch.defect());
   const TopoDS_Shape shape = reader.OneShape();
@@ -97,7 +127,8 @@ Result<CadModel> load_iges(const std::filesystem::path& path) {
 Result<CadModel> load_brep(const std::filesystem::path& path, const std::string& unit) {
   const std::optional<double> factor = millimetres_per(unit);
   if (!factor)
-    return fail("read.unit", "the unit '" + unit + "' is unknown", "use mm, cm, m, um, in or ft", path.filename().string());
+    return fail("read.unit", "the unit '" + unit + "' is unknown", "use mm, cm, m, um, in or ft",
+                path.filename().string());
   TopoDS_Shape shape;
   std::ifstream stream(path, std::ios::binary);
   if (head_contains(path, "Open CASCADE Topology")) {
@@ -105,6 +136,10 @@ Result<CadModel> load_brep(const std::filesystem::path& path, const std::string&
   } else {
     if (!head_contains(path, "DBRep_DrawableShape") && !head_contains(path, "CASCADE Topology"))
       return unreadable(path, "the file is not a BREP file");
+    // OpenCASCADE reads on for ever where a section is missing, and complains on the standard output.
+    if (!brep_is_complete(path)) return truncated(path, "the file ends before the last shape");
+    const SilencedOutput silence;
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
     BRepTools::Read(shape, stream, BRep_Builder());
   }
   if (shape.IsNull()) return truncated(path, "the file holds no whole shape");

@@ -22,8 +22,8 @@ struct CadModel {
 /// Reads STEP, IGES or BREP by the ending of `path`. May throw Standard_Failure.
 Result<CadModel> load_cad_model(const std::filesystem::path& path, const ReadOptions& options);
 
-/// Makes free edges that coincide within `tolerance` one edge. Faces that share all they touch are left as they are. Based
-/// on BRepBuilderAPI_Sewing.
+/// Makes free edges that coincide within `tolerance` one edge. Faces that share all they touch are left as
+/// they are. Based on BRepBuilderAPI_Sewing.
 void sew(CadModel& model, double tolerance);
 
 }  // namespace beadmesh

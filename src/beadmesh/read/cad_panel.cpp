@@ -63,7 +63,8 @@ struct FaceDraft {
   std::vector<Index> node;    // per node: the node that stands for it (all nodes of a pole are one)
   std::vector<Index> point;   // per node: its panel point, or no_index for an inner node
   std::vector<Index> vertex;  // per node: its local vertex, or no_index
-  std::map<Index, std::pair<Vec2, Vec2>> pole_side;  // node of a pole -> the side of the parameters it stands for
+  std::map<Index, std::pair<Vec2, Vec2>>
+      pole_side;  // node of a pole -> the side of the parameters it stands for
 };
 
 class PanelAssembler {
@@ -94,8 +95,12 @@ class PanelAssembler {
   bool is_reversed(std::size_t f) const { return model_.faces[f].Orientation() == TopAbs_REVERSED; }
 
   void leave_out(std::size_t f, std::string message) {
-    panel_.diagnostics.push_back({"read.face.left_out", Severity::error, static_cast<Index>(f) + 1, {},
-                                  std::move(message), "repair the face in the CAD system"});
+    panel_.diagnostics.push_back({"read.face.left_out",
+                                  Severity::error,
+                                  static_cast<Index>(f) + 1,
+                                  {},
+                                  std::move(message),
+                                  "repair the face in the CAD system"});
   }
 
   void add_face(std::size_t f) {
@@ -161,7 +166,8 @@ class PanelAssembler {
     return vertex;
   }
 
-  /// A pole has many parameters: a triangle takes those between its other corners, so that its inside maps well.
+  /// A pole has many parameters: a triangle takes those between its other corners, so that its inside maps
+  /// well.
   static std::array<Vec2, 3> corner_uv(const FaceNodes& nodes, const Triangle& t, const FaceDraft& draft) {
     std::array<Vec2, 3> uv{nodes.uv[t[0]], nodes.uv[t[1]], nodes.uv[t[2]]};
     for (int k = 0; k < 3; ++k) {
@@ -176,7 +182,8 @@ class PanelAssembler {
 
   void fill_triangles(const FaceNodes& nodes, FaceDraft& draft) {
     for (const Triangle& t : nodes.triangles) {
-      const Triangle v{vertex_of(nodes, t[0], draft), vertex_of(nodes, t[1], draft), vertex_of(nodes, t[2], draft)};
+      const Triangle v{vertex_of(nodes, t[0], draft), vertex_of(nodes, t[1], draft),
+                       vertex_of(nodes, t[2], draft)};
       if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;  // collapsed at a pole
       draft.face.facets.triangles.push_back(v);
       draft.face.facets.triangle_uv.push_back(corner_uv(nodes, t, draft));
@@ -256,7 +263,8 @@ class PanelAssembler {
 
 }  // namespace
 
-Panel assemble_panel(const CadModel& model, const CadTopology& topology, const std::vector<FaceNodes>& faces) {
+Panel assemble_panel(const CadModel& model, const CadTopology& topology,
+                     const std::vector<FaceNodes>& faces) {
   return PanelAssembler(model, topology, faces).assemble();
 }
 

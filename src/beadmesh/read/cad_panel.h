@@ -9,8 +9,8 @@
 
 namespace beadmesh {
 
-/// Shares points and edges, orients the faces, adds the evaluators. Faces without sound facets are left out and named in
-/// Panel::diagnostics.
+/// Shares points and edges, orients the faces, adds the evaluators. Faces without sound facets are left out
+/// and named in Panel::diagnostics.
 Panel assemble_panel(const CadModel& model, const CadTopology& topology, const std::vector<FaceNodes>& faces);
 
 }  // namespace beadmesh

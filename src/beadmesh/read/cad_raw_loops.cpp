@@ -15,7 +15,8 @@ namespace beadmesh {
 namespace {
 
 bool can_be_judged(const CadFace& face) {
-  // Before mending, a loop on a closed surface may lack its seam: its picture in the parameters proves nothing.
+  // Before mending, a loop on a closed surface may lack its seam: its picture in the parameters proves
+  // nothing.
   return !face.broken && !face.loops.empty() && !face.surface->IsUClosed() && !face.surface->IsVClosed() &&
          !face.surface->IsUPeriodic() && !face.surface->IsVPeriodic();
 }
@@ -31,13 +32,14 @@ class Watcher : public XSAlgo_AlgoContainer {
  public:
   explicit Watcher(std::optional<Diagnostic>& defect) : defect_(defect) {}
 
-  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real precision, const Standard_Real max_tolerance,
-                            const Standard_CString resource, const Standard_CString sequence,
-                            Handle(Standard_Transient) & info, const Message_ProgressRange& progress,
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real precision,
+                            const Standard_Real max_tolerance, const Standard_CString resource,
+                            const Standard_CString sequence, Handle(Standard_Transient) & info,
+                            const Message_ProgressRange& progress,
                             const Standard_Boolean non_manifold) const override {
     look(shape);
-    return XSAlgo_AlgoContainer::ProcessShape(shape, precision, max_tolerance, resource, sequence, info, progress,
-                                              non_manifold);
+    return XSAlgo_AlgoContainer::ProcessShape(shape, precision, max_tolerance, resource, sequence, info,
+                                              progress, non_manifold);
   }
 
  private:
@@ -80,8 +82,12 @@ std::optional<Diagnostic> crossing_loop(const CadModel& model) {
   return {};
 }
 
-RawLoopWatch::RawLoopWatch() { XSAlgo::SetAlgoContainer(new Watcher(defect_)); }
+RawLoopWatch::RawLoopWatch() {
+  XSAlgo::SetAlgoContainer(new Watcher(defect_));
+}
 
-RawLoopWatch::~RawLoopWatch() { XSAlgo::SetAlgoContainer(new XSAlgo_AlgoContainer); }
+RawLoopWatch::~RawLoopWatch() {
+  XSAlgo::SetAlgoContainer(new XSAlgo_AlgoContainer);
+}
 
 }  // namespace beadmesh

@@ -8,11 +8,12 @@
 
 namespace beadmesh {
 
-/// The first face with a boundary that crosses itself; none where all are sound or cannot be judged (closed surfaces).
+/// The first face with a boundary that crosses itself; none where all are sound or cannot be judged (closed
+/// surfaces).
 std::optional<Diagnostic> crossing_loop(const CadModel& model);
 
-/// While it lives, OpenCASCADE's readers hand it each shape before they mend it: mending cuts a face whose boundary
-/// crosses itself into pieces, silently. Only one may live at a time.
+/// While it lives, OpenCASCADE's readers hand it each shape before they mend it: mending cuts a face whose
+/// boundary crosses itself into pieces, silently. Only one may live at a time.
 class RawLoopWatch {
  public:
   RawLoopWatch();

@@ -5,6 +5,7 @@
 #include <Message_Printer.hxx>
 #include <Standard_Failure.hxx>
 #include <exception>
+#include <ios>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -29,7 +30,8 @@ Failure named(Diagnostic diagnostic, const std::filesystem::path& path) {
   return Failure(std::move(diagnostic));
 }
 
-Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
+Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOptions& options,
+                             const Context& context) {
   const std::lock_guard lock(reader_mutex());
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
   context.report("read", 0);
@@ -55,13 +57,16 @@ Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOption
 
 }  // namespace
 
-Result<Panel> read_cad_panel(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
+Result<Panel> read_cad_panel(const std::filesystem::path& path, const ReadOptions& options,
+                             const Context& context) {
   std::string what;
   try {
     return read_unguarded(path, options, context);
   } catch (const Standard_Failure& failure) {
     what = failure.GetMessageString();
     if (what.empty()) what = failure.DynamicType()->Name();
+  } catch (const std::ios_base::failure&) {
+    what = "it is damaged or ends too early";
   } catch (const std::exception& failure) {
     what = failure.what();
   }

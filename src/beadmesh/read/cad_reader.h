@@ -10,6 +10,7 @@
 namespace beadmesh {
 
 /// STEP, IGES or BREP into a panel; catches every exception of OpenCASCADE.
-Result<Panel> read_cad_panel(const std::filesystem::path& path, const ReadOptions& options, const Context& context);
+Result<Panel> read_cad_panel(const std::filesystem::path& path, const ReadOptions& options,
+                             const Context& context);
 
 }  // namespace beadmesh

@@ -31,7 +31,8 @@ std::vector<FreeEdge> free_edges_of(const CadModel& model) {
     if (BRep_Tool::Degenerated(edge) || curve.IsNull()) continue;
     FreeEdge item;
     constexpr int segments = 8;
-    for (int k = 0; k <= segments; ++k) item.points.push_back(curve->Value(first + (last - first) * k / segments));
+    for (int k = 0; k <= segments; ++k)
+      item.points.push_back(curve->Value(first + (last - first) * k / segments));
     result.push_back(std::move(item));
   }
   return result;
@@ -109,8 +110,13 @@ void sew(CadModel& model, double tolerance) {
   model.faces = std::move(sewn);
   const std::size_t open = free_edges_of(model).size();
   if (open < before.size())
-    model.diagnostics.push_back({"read.sewn", Severity::note, no_index, {},
-                                 std::to_string(before.size() - open) + " free edges were sewn to their neighbours", {}});
+    model.diagnostics.push_back(
+        {"read.sewn",
+         Severity::note,
+         no_index,
+         {},
+         std::to_string(before.size() - open) + " free edges were sewn to their neighbours",
+         {}});
 }
 
 }  // namespace beadmesh

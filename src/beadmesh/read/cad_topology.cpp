@@ -40,7 +40,7 @@ class TopologyReader {
     }
     item.first_vertex = vertex(TopExp::FirstVertex(edge), item, item.first);
     item.last_vertex = TopExp::LastVertex(edge).IsNull() ? item.first_vertex
-                                                          : vertex(TopExp::LastVertex(edge), item, item.last);
+                                                         : vertex(TopExp::LastVertex(edge), item, item.last);
     topology_.edges.push_back(std::move(item));
   }
 
@@ -91,8 +91,8 @@ class TopologyReader {
     return {p.X(), p.Y()};
   }
 
-  /// Orders the edges of a wire head to tail: by shared vertex, and where several edges leave it (a seam), by the nearest
-  /// parameters.
+  /// Orders the edges of a wire head to tail: by shared vertex, and where several edges leave it (a seam), by
+  /// the nearest parameters.
   void chain_uses(std::vector<CadUse> uses, CadFace& face) const {
     std::vector<bool> taken(uses.size(), false);
     for (std::size_t first = 0; first < uses.size(); ++first) {
@@ -107,7 +107,8 @@ class TopologyReader {
     }
   }
 
-  std::size_t next_use(const std::vector<CadUse>& uses, const std::vector<bool>& taken, const CadUse& last) const {
+  std::size_t next_use(const std::vector<CadUse>& uses, const std::vector<bool>& taken,
+                       const CadUse& last) const {
     std::size_t best = uses.size();
     double best_gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -131,6 +132,8 @@ Vec2 CadUse::uv(const CadEdge& of, double t) const {
   return {p.X(), p.Y()};
 }
 
-CadTopology topology_of(const CadModel& model) { return TopologyReader().read(model); }
+CadTopology topology_of(const CadModel& model) {
+  return TopologyReader().read(model);
+}
 
 }  // namespace beadmesh

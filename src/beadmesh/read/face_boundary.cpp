@@ -9,7 +9,9 @@
 namespace beadmesh {
 namespace {
 
-Vec2 stretched(Vec2 uv, Vec2 stretch) { return {uv.x * stretch.x, uv.y * stretch.y}; }
+Vec2 stretched(Vec2 uv, Vec2 stretch) {
+  return {uv.x * stretch.x, uv.y * stretch.y};
+}
 
 class BoundaryBuilder {
  public:
@@ -56,11 +58,13 @@ class BoundaryBuilder {
   double length(const NodeRun& run) const {
     double sum = 0;
     for (std::size_t i = 1; i < run.nodes.size(); ++i)
-      sum += distance(stretched(nodes_.uv[run.nodes[i - 1]], stretch_), stretched(nodes_.uv[run.nodes[i]], stretch_));
+      sum += distance(stretched(nodes_.uv[run.nodes[i - 1]], stretch_),
+                      stretched(nodes_.uv[run.nodes[i]], stretch_));
     return sum;
   }
 
-  /// The end of one run and the start of the next are one node, unless the parameters jump (a pole without an edge).
+  /// The end of one run and the start of the next are one node, unless the parameters jump (a pole without an
+  /// edge).
   void join(std::vector<NodeRun>& runs, std::size_t i, std::size_t next) {
     const Index end = runs[i].nodes.back(), start = runs[next].nodes.front();
     const double gap = distance(stretched(nodes_.uv[end], stretch_), stretched(nodes_.uv[start], stretch_));
@@ -113,7 +117,9 @@ double signed_area_of(const std::vector<Index>& polygon, const FaceNodes& nodes,
   double sum = 0;
   const Vec2 origin = stretched(nodes.uv[polygon.front()], stretch);
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sum += cross(stretched(nodes.uv[polygon[i]], stretch) - origin, stretched(nodes.uv[polygon[i + 1]], stretch) - origin) / 2;
+    sum += cross(stretched(nodes.uv[polygon[i]], stretch) - origin,
+                 stretched(nodes.uv[polygon[i + 1]], stretch) - origin) /
+           2;
   return sum;
 }
 
@@ -142,13 +148,15 @@ bool change_sides(Vec2 x, const Passage& one, const Passage& other) {
   };
   const double sector = turn(other.from), a = turn(one.from), b = turn(one.to);
   for (const double angle : {a, b})
-    if (angle < least_angle || 2 * pi - angle < least_angle || std::abs(angle - sector) < least_angle) return false;
+    if (angle < least_angle || 2 * pi - angle < least_angle || std::abs(angle - sector) < least_angle)
+      return false;
   return (a < sector) != (b < sector);
 }
 
 class CrossingSearch {
  public:
-  CrossingSearch(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& points) : points_(points) {
+  CrossingSearch(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& points)
+      : points_(points) {
     for (const std::vector<Index>& polygon : polygons)
       for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
         Segment s{polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], 0, 0};
@@ -156,7 +164,8 @@ class CrossingSearch {
         s.high = std::max(points[s.a].x, points[s.b].x);
         segments_.push_back(s);
       }
-    std::stable_sort(segments_.begin(), segments_.end(), [](const Segment& s, const Segment& t) { return s.low < t.low; });
+    std::stable_sort(segments_.begin(), segments_.end(),
+                     [](const Segment& s, const Segment& t) { return s.low < t.low; });
   }
 
   /// A node at the first crossing, or no_index.
@@ -205,7 +214,8 @@ std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, cons
     polygons.push_back(polygon_of(loop));
     areas.push_back(signed_area_of(polygons.back(), nodes, stretch));
   }
-  // Files get the direction of loops wrong now and then. In the plane of the parameters it follows from the areas.
+  // Files get the direction of loops wrong now and then. In the plane of the parameters it follows from the
+  // areas.
   std::size_t outer = 0;
   for (std::size_t i = 1; i < areas.size(); ++i)
     if (std::abs(areas[i]) > std::abs(areas[outer])) outer = i;
@@ -217,15 +227,18 @@ std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, cons
   return polygons;
 }
 
-std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& stretched,
-                                  const std::vector<Vec3>& points) {
+std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygons,
+                                  const std::vector<Vec2>& stretched, const std::vector<Vec3>& points) {
   const Index node = CrossingSearch(polygons, stretched).find();
   if (node == no_index) return {};
   return points[node];
 }
 
 Diagnostic crossing_defect(Vec3 where, Index number) {
-  return {"read.face.loop_crosses", Severity::error, number, {},
+  return {"read.face.loop_crosses",
+          Severity::error,
+          number,
+          {},
           fmt::format("its boundary crosses itself near ({:.3f}, {:.3f}, {:.3f})", where.x, where.y, where.z),
           "repair the face in the CAD system"};
 }
@@ -248,7 +261,8 @@ InsideTest::InsideTest(const std::vector<std::vector<Index>>& polygons, const st
   for (const std::vector<Index>& polygon : polygons)
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec2 a = points[polygon[i]], b = points[polygon[(i + 1) % polygon.size()]];
-      for (std::size_t r = row(std::min(a.y, b.y)); r <= row(std::max(a.y, b.y)); ++r) rows_[r].push_back({a, b});
+      for (std::size_t r = row(std::min(a.y, b.y)); r <= row(std::max(a.y, b.y)); ++r)
+        rows_[r].push_back({a, b});
     }
 }
 

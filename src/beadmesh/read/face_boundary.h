@@ -8,14 +8,15 @@
 
 namespace beadmesh {
 
-/// Fills points, uv and loops of `nodes` from the sampled edges; `stretch`: of u and v, to about mm; loops are turned so that the face lies on their left.
-/// Returns the node polygon of each loop.
+/// Fills points, uv and loops of `nodes` from the sampled edges; `stretch`: of u and v, to about mm; loops
+/// are turned so that the face lies on their left. Returns the node polygon of each loop.
 std::vector<std::vector<Index>> boundary_nodes(const CadTopology& topology, const CadFace& face, Vec2 stretch,
                                                FaceNodes& nodes);
 
-/// A node beside the first place found where the polygons cross themselves or each other; touching is no crossing.
-std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygons, const std::vector<Vec2>& stretched,
-                                  const std::vector<Vec3>& points);
+/// A node beside the first place found where the polygons cross themselves or each other; touching is no
+/// crossing.
+std::optional<Vec3> find_crossing(const std::vector<std::vector<Index>>& polygons,
+                                  const std::vector<Vec2>& stretched, const std::vector<Vec3>& points);
 
 /// The Diagnostic for it; `number` is that of the face.
 Diagnostic crossing_defect(Vec3 where, Index number);

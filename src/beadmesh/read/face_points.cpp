@@ -23,8 +23,8 @@ struct Spawner {
 
 class PointSpawner {
  public:
-  PointSpawner(const Geom_Surface& surface, const FaceSpace& space, const std::vector<std::vector<Index>>& polygons,
-               FaceNodes& nodes)
+  PointSpawner(const Geom_Surface& surface, const FaceSpace& space,
+               const std::vector<std::vector<Index>>& polygons, FaceNodes& nodes)
       : surface_(surface), space_(space), nodes_(nodes), inside_(polygons, stretched(nodes, space)) {
     for (const std::vector<Index>& polygon : polygons) add_boundary(polygon);
   }

@@ -12,21 +12,26 @@ namespace {
 
 constexpr double growth = 0.8;  // mm of facet size a mm of distance
 
-Vec3 vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
+Vec3 vec(const gp_Vec& v) {
+  return {v.X(), v.Y(), v.Z()};
+}
 
 /// Knot spans of a B-spline surface between `low` and `high` (plain parameters).
 std::array<int, 2> spans_between(const Geom_BSplineSurface& spline, Vec2 low, Vec2 high) {
   std::array<int, 2> spans{1, 1};
-  for (int i = 1; i <= spline.NbUKnots(); ++i) spans[0] += spline.UKnot(i) > low.x && spline.UKnot(i) < high.x ? 1 : 0;
-  for (int i = 1; i <= spline.NbVKnots(); ++i) spans[1] += spline.VKnot(i) > low.y && spline.VKnot(i) < high.y ? 1 : 0;
+  for (int i = 1; i <= spline.NbUKnots(); ++i)
+    spans[0] += spline.UKnot(i) > low.x && spline.UKnot(i) < high.x ? 1 : 0;
+  for (int i = 1; i <= spline.NbVKnots(); ++i)
+    spans[1] += spline.VKnot(i) > low.y && spline.VKnot(i) < high.y ? 1 : 0;
   return spans;
 }
 
-/// Sizes from a grid of points. A narrow stripe of strong curvature does not ask for facets as small as its radius: what
-/// counts is how far the middle of a chord of a given length is from the surface.
+/// Sizes from a grid of points. A narrow stripe of strong curvature does not ask for facets as small as its
+/// radius: what counts is how far the middle of a chord of a given length is from the surface.
 class GridSizes {
  public:
-  GridSizes(const Geom_Surface& surface, const FacetSize& size, int nx, int ny) : surface_(surface), size_(size), nx_(nx), ny_(ny) {}
+  GridSizes(const Geom_Surface& surface, const FacetSize& size, int nx, int ny)
+      : surface_(surface), size_(size), nx_(nx), ny_(ny) {}
 
   std::vector<double> sizes(Vec2 low, Vec2 step) {
     for (int j = 0; j < ny_; ++j)
@@ -39,7 +44,8 @@ class GridSizes {
     for (int j = 0; j < ny_; ++j)
       for (int i = 0; i < nx_; ++i) {
         double h = size_.largest();
-        for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) h = std::min(h, longest_chord(i, j, di, dj, h));
+        for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}})
+          h = std::min(h, longest_chord(i, j, di, dj, h));
         result[at(i, j)] = std::max(h, size_.smallest());
       }
     return result;
@@ -52,7 +58,8 @@ class GridSizes {
   double longest_chord(int i, int j, int di, int dj, double limit) const {
     for (int k = 1;; ++k) {
       const int i0 = i - k * di, i1 = i + k * di, j0 = j - k * dj, j1 = j + k * dj;
-      if (std::min(i0, i1) < 0 || std::max(i0, i1) >= nx_ || std::min(j0, j1) < 0 || std::max(j0, j1) >= ny_) return limit;
+      if (std::min(i0, i1) < 0 || std::max(i0, i1) >= nx_ || std::min(j0, j1) < 0 || std::max(j0, j1) >= ny_)
+        return limit;
       const Vec3 a = points_[at(i0, j0)], b = points_[at(i1, j1)];
       const double length = distance(a, b);
       const double off = std::abs(dot((a + b) / 2 - points_[at(i, j)], normals_[at(i, j)]));
@@ -124,10 +131,12 @@ Vec2 mean_stretch(const Geom_Surface& surface, Vec2 low, Vec2 high) {
 SizeField::SizeField(const Geom_Surface& surface, const FacetSize& size, Vec2 stretch, Vec2 low, Vec2 high)
     : low_(low) {
   const Vec2 extent{std::max(high.x - low.x, 1e-9), std::max(high.y - low.y, 1e-9)};
-  const Vec2 plain_low{low.x / stretch.x, low.y / stretch.y}, plain_high{high.x / stretch.x, high.y / stretch.y};
+  const Vec2 plain_low{low.x / stretch.x, low.y / stretch.y},
+      plain_high{high.x / stretch.x, high.y / stretch.y};
   const bool is_spline = surface.IsKind(STANDARD_TYPE(Geom_BSplineSurface));
   std::array<int, 2> least{16, 16};
-  if (is_spline) least = spans_between(static_cast<const Geom_BSplineSurface&>(surface), plain_low, plain_high);
+  if (is_spline)
+    least = spans_between(static_cast<const Geom_BSplineSurface&>(surface), plain_low, plain_high);
   const auto cells = [](double length, int spans) {
     return std::clamp(static_cast<int>(length / 3), std::clamp(2 * spans + 8, 16, 400), 400) + 1;
   };
@@ -141,7 +150,8 @@ SizeField::SizeField(const Geom_Surface& surface, const FacetSize& size, Vec2 st
   } else if (!surface.IsKind(STANDARD_TYPE(Geom_Plane))) {
     for (int j = 0; j < ny_; ++j)
       for (int i = 0; i < nx_; ++i)
-        cell(i, j) = size.on_surface(largest_curvature(surface, plain_low + Vec2{i * plain_step.x, j * plain_step.y}));
+        cell(i, j) =
+            size.on_surface(largest_curvature(surface, plain_low + Vec2{i * plain_step.x, j * plain_step.y}));
   }
 }
 
@@ -174,7 +184,8 @@ double SizeField::at(Vec2 stretched) const {
   const double y = std::clamp((stretched.y - low_.y) / step_.y, 0.0, ny_ - 1.0);
   const int i = std::min(static_cast<int>(x), nx_ - 2), j = std::min(static_cast<int>(y), ny_ - 2);
   const double fx = x - i, fy = y - j;
-  return std::lerp(std::lerp(cell(i, j), cell(i + 1, j), fx), std::lerp(cell(i, j + 1), cell(i + 1, j + 1), fx), fy);
+  return std::lerp(std::lerp(cell(i, j), cell(i + 1, j), fx),
+                   std::lerp(cell(i, j + 1), cell(i + 1, j + 1), fx), fy);
 }
 
 }  // namespace beadmesh

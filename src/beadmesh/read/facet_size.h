@@ -9,7 +9,8 @@
 
 namespace beadmesh {
 
-/// Facet edge length that follows from a curvature (1/mm): sagitta under the chord tolerance, turn under the angle.
+/// Facet edge length that follows from a curvature (1/mm): sagitta under the chord tolerance, turn under the
+/// angle.
 class FacetSize {
  public:
   FacetSize(const ReadOptions& options, double model_diagonal);
@@ -35,7 +36,8 @@ double largest_curvature(const Geom_Surface& surface, Vec2 uv);
 /// Mean stretch of the parameters over a box, mm per unit of u and of v.
 Vec2 mean_stretch(const Geom_Surface& surface, Vec2 low, Vec2 high);
 
-/// Facet size over a box of stretched parameters, which grows by at most `growth` mm a mm away from small ones.
+/// Facet size over a box of stretched parameters, which grows by at most `growth` mm a mm away from small
+/// ones.
 class SizeField {
  public:
   /// low, high: box in stretched parameters (u * stretch.x, v * stretch.y).

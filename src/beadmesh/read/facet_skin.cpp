@@ -12,7 +12,9 @@ namespace beadmesh {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
-constexpr Index next_corner(Index c) { return c % 3 == 2 ? c - 2 : c + 1; }
+constexpr Index next_corner(Index c) {
+  return c % 3 == 2 ? c - 2 : c + 1;
+}
 
 class SkinBuilder {
  public:
@@ -54,7 +56,8 @@ class SkinBuilder {
     drop_repeated();
   }
 
-  /// Per point the first one within the tolerance. Cells of that size; equal points, the common case, are found first.
+  /// Per point the first one within the tolerance. Cells of that size; equal points, the common case, are
+  /// found first.
   static std::vector<Index> representatives(const std::vector<Vec3>& points, double tolerance) {
     using Cell = std::array<std::int64_t, 3>;
     double reach = 1e-300;
@@ -78,10 +81,12 @@ class SkinBuilder {
   }
 
   template <class Cells, class Cell>
-  static Index nearby(const std::vector<Vec3>& points, const Cells& cells, const Cell& at, Index i, double tolerance) {
+  static Index nearby(const std::vector<Vec3>& points, const Cells& cells, const Cell& at, Index i,
+                      double tolerance) {
     for (int n = 0; n < 27; ++n) {
       const auto found = cells.find({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
-      if (found != cells.end() && distance(points[found->second], points[i]) <= tolerance) return found->second;
+      if (found != cells.end() && distance(points[found->second], points[i]) <= tolerance)
+        return found->second;
     }
     return i;
   }
@@ -97,12 +102,15 @@ class SkinBuilder {
     triangles_ = std::move(once);
   }
 
-  /// Two half-edges on the same two points are partners, whichever way they run; three or more have no partner.
+  /// Two half-edges on the same two points are partners, whichever way they run; three or more have no
+  /// partner.
   void pair_half_edges() {
     const Index n = 3 * triangle_count();
     std::vector<Index> order(n);
     for (Index h = 0; h < n; ++h) order[h] = h;
-    const auto key = [&](Index h) { return std::pair{std::min(tail(h), head(h)), std::max(tail(h), head(h))}; };
+    const auto key = [&](Index h) {
+      return std::pair{std::min(tail(h), head(h)), std::max(tail(h), head(h))};
+    };
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
       const auto ka = key(a), kb = key(b);
       return ka != kb ? ka < kb : a < b;
@@ -118,7 +126,8 @@ class SkinBuilder {
 
   double area_of(Index t) const {
     const Triangle& v = triangles_[t];
-    return norm(cross(panel_.points[v[1]] - panel_.points[v[0]], panel_.points[v[2]] - panel_.points[v[0]])) / 2;
+    return norm(cross(panel_.points[v[1]] - panel_.points[v[0]], panel_.points[v[2]] - panel_.points[v[0]])) /
+           2;
   }
 
   /// Turns triangles so that partners run in opposite directions; the side with more area stays.
@@ -144,8 +153,13 @@ class SkinBuilder {
     }
     for (const Index t : turned_) std::swap(triangles_[t][1], triangles_[t][2]);
     if (!turned_.empty())
-      panel_.diagnostics.push_back({"read.turned_over", Severity::note, no_index, {},
-                                    std::to_string(turned_.size()) + " facets were turned over to agree with their neighbours", {}});
+      panel_.diagnostics.push_back(
+          {"read.turned_over",
+           Severity::note,
+           no_index,
+           {},
+           std::to_string(turned_.size()) + " facets were turned over to agree with their neighbours",
+           {}});
     pair_half_edges();
     for (Index h = 0; h < 3 * triangle_count(); ++h)
       if (partner_[h] != no_index && tail(h) == tail(partner_[h]))  // no orientation: cut there
@@ -154,7 +168,8 @@ class SkinBuilder {
 
   Vec3 normal_of(Index t) const {
     const Triangle& v = triangles_[t];
-    return normalized(cross(panel_.points[v[1]] - panel_.points[v[0]], panel_.points[v[2]] - panel_.points[v[0]]));
+    return normalized(
+        cross(panel_.points[v[1]] - panel_.points[v[0]], panel_.points[v[2]] - panel_.points[v[0]]));
   }
 
   bool is_smooth(Index h) const {
@@ -183,8 +198,11 @@ class SkinBuilder {
     mark_lines();
   }
 
-  /// Half-edges that have their own region on one side only are lines; points where lines end, branch or bend are corners.
-  bool is_line(Index h) const { return partner_[h] == no_index || region_[partner_[h] / 3] != region_[h / 3]; }
+  /// Half-edges that have their own region on one side only are lines; points where lines end, branch or bend
+  /// are corners.
+  bool is_line(Index h) const {
+    return partner_[h] == no_index || region_[partner_[h] / 3] != region_[h / 3];
+  }
 
   void mark_lines() {
     std::map<Index, std::vector<Index>> ends;  // point -> the other ends of the lines there
@@ -199,8 +217,8 @@ class SkinBuilder {
     is_corner_.assign(panel_.points.size(), false);
     for (const auto& [p, others] : ends) {
       const Vec3 here = panel_.points[p];
-      is_corner_[p] = others.size() != 2 ||
-                      angle_between(here - panel_.points[others[0]], panel_.points[others[1]] - here) > feature_angle_;
+      is_corner_[p] = others.size() != 2 || angle_between(here - panel_.points[others[0]],
+                                                          panel_.points[others[1]] - here) > feature_angle_;
     }
   }
 
@@ -214,12 +232,14 @@ class SkinBuilder {
     panel_.faces.push_back(std::move(face));
   }
 
-  /// Turns the loop to begin at a corner (or else at its smallest point, so that both its faces begin alike) and cuts it.
+  /// Turns the loop to begin at a corner (or else at its smallest point, so that both its faces begin alike)
+  /// and cuts it.
   std::vector<EdgeUse> edges_of(std::vector<Index>& loop, const Facets& facets, Index face) {
     const auto point = [&](Index v) { return facets.panel_points[v]; };
     auto start = std::find_if(loop.begin(), loop.end(), [&](Index v) { return is_corner_[point(v)]; });
     if (start == loop.end())
-      start = std::min_element(loop.begin(), loop.end(), [&](Index a, Index b) { return point(a) < point(b); });
+      start =
+          std::min_element(loop.begin(), loop.end(), [&](Index a, Index b) { return point(a) < point(b); });
     std::rotate(loop.begin(), start, loop.end());
     std::vector<EdgeUse> uses;
     std::vector<Index> run{point(loop.front())};

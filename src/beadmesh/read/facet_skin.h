@@ -8,9 +8,10 @@
 
 namespace beadmesh {
 
-/// Welds corners closer than 1e-6 of the size, orients the triangles alike, and makes one face of each region in which
-/// neighbours turn by at most `feature_angle` (radians). Edges run between regions and along free or branching
-/// borders, from one point where more than two such lines meet, or where they turn sharply, to the next.
+/// Welds corners closer than 1e-6 of the size, orients the triangles alike, and makes one face of each region
+/// in which neighbours turn by at most `feature_angle` (radians). Edges run between regions and along free or
+/// branching borders, from one point where more than two such lines meet, or where they turn sharply, to the
+/// next.
 Panel panel_of_facets(const std::vector<std::array<Vec3, 3>>& facets, double feature_angle);
 
 }  // namespace beadmesh

@@ -41,7 +41,9 @@ std::string bytes(const std::filesystem::path& path, bool from_end) {
 
 }  // namespace
 
-FileKind file_kind(const std::filesystem::path& path) { return kind_of_ending(path).value_or(FileKind::step); }
+FileKind file_kind(const std::filesystem::path& path) {
+  return kind_of_ending(path).value_or(FileKind::step);
+}
 
 Result<FileKind> check_input_file(const std::filesystem::path& path) {
   const std::string name = path.string();
@@ -56,7 +58,8 @@ Result<FileKind> check_input_file(const std::filesystem::path& path) {
                 "use .step, .stp, .igs, .iges, .brep or .stl", name);
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0)
     return fail("read.empty", "the file is empty", {}, name);
-  if (!std::ifstream(path)) return fail("read.unreadable", "the file cannot be opened", "check its permissions", name);
+  if (!std::ifstream(path))
+    return fail("read.unreadable", "the file cannot be opened", "check its permissions", name);
   return *kind;
 }
 
@@ -76,6 +79,21 @@ bool iges_is_complete(const std::filesystem::path& path) {
     line = end + 1;
   }
   return false;
+}
+
+bool brep_is_complete(const std::filesystem::path& path) {
+  bool in_shapes = false, complete = false;
+  std::string line;
+  for (std::ifstream stream(path); std::getline(stream, line);) {
+    in_shapes = in_shapes || line.starts_with("TShapes ");
+    if (!in_shapes || line.empty()) continue;
+    // The whole shape is such as "+1 0"; lists of sub-shapes end with a star.
+    if (line.find('*') != std::string::npos)
+      complete = false;
+    else if (line[0] == '+' || line[0] == '-')
+      complete = true;
+  }
+  return complete;
 }
 
 std::optional<double> millimetres_per(std::string_view unit) {

@@ -25,6 +25,9 @@ bool tail_contains(const std::filesystem::path& path, std::string_view text);
 /// Does a line of the last section (T in column 73) close the IGES file?
 bool iges_is_complete(const std::filesystem::path& path);
 
+/// Does the text BREP file have its last section, and end with the line that names the whole shape?
+bool brep_is_complete(const std::filesystem::path& path);
+
 /// mm, cm, m, um, in, inch, ft; none where the name is unknown.
 std::optional<double> millimetres_per(std::string_view unit);
 

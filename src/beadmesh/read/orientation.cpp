@@ -69,8 +69,12 @@ std::vector<bool> orient_faces(Panel& panel) {
   for (Index seed = 0; seed < static_cast<Index>(panel.faces.size()); ++seed) {
     if (side[seed] >= 0) continue;
     if (!spread_sides(neighbours, seed, side, piece))
-      panel.diagnostics.push_back({"read.not_orientable", Severity::warning, panel.faces[seed].number, {},
-                                   "the faces connected to this one cannot be oriented alike", {}});
+      panel.diagnostics.push_back({"read.not_orientable",
+                                   Severity::warning,
+                                   panel.faces[seed].number,
+                                   {},
+                                   "the faces connected to this one cannot be oriented alike",
+                                   {}});
     std::array<double, 2> weight{0, 0};
     for (const Index f : piece) weight[side[f]] += area(panel.faces[f].facets);
     const int minority = weight[1] > weight[0] ? 0 : 1;
@@ -82,8 +86,13 @@ std::vector<bool> orient_faces(Panel& panel) {
       }
   }
   if (count > 0)
-    panel.diagnostics.push_back({"read.turned_over", Severity::note, no_index, {},
-                                 std::to_string(count) + " faces were turned over to agree with their neighbours", {}});
+    panel.diagnostics.push_back(
+        {"read.turned_over",
+         Severity::note,
+         no_index,
+         {},
+         std::to_string(count) + " faces were turned over to agree with their neighbours",
+         {}});
   return turned;
 }
 

@@ -6,7 +6,8 @@
 
 namespace beadmesh {
 
-Result<Panel> read_panel(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
+Result<Panel> read_panel(const std::filesystem::path& path, const ReadOptions& options,
+                         const Context& context) {
   const Result<FileKind> kind = check_input_file(path);
   if (!kind) return Failure(kind.error());
   if (*kind == FileKind::stl) return read_stl_panel(path, options);

@@ -10,7 +10,7 @@
 namespace beadmesh {
 
 struct ReadOptions {
-  double chord = 0.05;            ///< default 0.05 mm: largest distance of the facets from the surface
+  double chord = 0.05;            ///< default 0.05 mm: distance of facets from the surface, the worst up to twice that
   double angle = radians(12);     ///< default 12 degrees: largest turn of a facet edge
   double max_facet = 0;           ///< default 0 = none: longest facet edge, mm
   double sew_tolerance = 0.01;    ///< default 0.01 mm: free edges closer than this are one

@@ -5,7 +5,9 @@
 namespace beadmesh {
 namespace {
 
-int level_of(double size) { return std::ilogb(size); }
+int level_of(double size) {
+  return std::ilogb(size);
+}
 
 /// std::floor is a call without SSE 4.1, and this is the innermost loop.
 std::int64_t cell_of(double x, double cell) {

@@ -10,7 +10,8 @@
 
 namespace beadmesh {
 
-/// Points filed by the size wanted around them; answers whether a ball is free. Expects sizes that vary slowly in space.
+/// Points filed by the size wanted around them; answers whether a ball is free. Expects sizes that vary
+/// slowly in space.
 class PointHash {
  public:
   void insert(Vec3 point, double size);

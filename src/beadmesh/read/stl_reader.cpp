@@ -31,7 +31,8 @@ std::uint32_t count_in_header(const std::string& bytes) {
 /// Binary files may begin with "solid", too: their length decides, and where it does not fit, the words.
 bool is_binary(const std::string& bytes) {
   if (bytes.size() < binary_header) return false;
-  if (bytes.size() == binary_header + binary_facet * static_cast<std::size_t>(count_in_header(bytes))) return true;
+  if (bytes.size() == binary_header + binary_facet * static_cast<std::size_t>(count_in_header(bytes)))
+    return true;
   return bytes.find('\0') != std::string::npos;
 }
 
@@ -83,17 +84,21 @@ Result<std::vector<Corners>> parse_ascii(const std::string& bytes, const std::st
     if (word == "vertex") {
       const auto x = words.number(), y = words.number(), z = words.number();
       if (!x || !y || !z)
-        return fail("read.unreadable", "facet " + std::to_string(result.size() + 1) + " has a vertex that is no point", {}, name);
+        return fail("read.unreadable",
+                    "facet " + std::to_string(result.size() + 1) + " has a vertex that is no point", {},
+                    name);
       corners.push_back({*x, *y, *z});
     } else if (word == "endfacet") {
       if (corners.size() != 3)
-        return fail("read.unreadable", "facet " + std::to_string(result.size() + 1) + " is no triangle", {}, name);
+        return fail("read.unreadable", "facet " + std::to_string(result.size() + 1) + " is no triangle", {},
+                    name);
       result.push_back({corners[0], corners[1], corners[2]});
       corners.clear();
     }
   }
   const bool ended = bytes.find("endsolid") != std::string::npos;
-  if (result.empty() && !ended) return fail("read.unreadable", "the file is not a readable STL file", {}, name);
+  if (result.empty() && !ended)
+    return fail("read.unreadable", "the file is not a readable STL file", {}, name);
   if (!corners.empty() || !ended)
     return fail("read.truncated", "the file ends before endsolid", "export the file again", name);
   return result;
@@ -104,10 +109,13 @@ Result<std::vector<Corners>> parse_ascii(const std::string& bytes, const std::st
 Result<Panel> read_stl_panel(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string name = path.filename().string();
   const std::optional<double> factor = millimetres_per(options.unit);
-  if (!factor) return fail("read.unit", "the unit '" + options.unit + "' is unknown", "use mm, cm, m, um, in or ft", name);
+  if (!factor)
+    return fail("read.unit", "the unit '" + options.unit + "' is unknown", "use mm, cm, m, um, in or ft",
+                name);
   std::ifstream stream(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  Result<std::vector<Corners>> facets = is_binary(bytes) ? parse_binary(bytes, name) : parse_ascii(bytes, name);
+  Result<std::vector<Corners>> facets =
+      is_binary(bytes) ? parse_binary(bytes, name) : parse_ascii(bytes, name);
   if (!facets) return Failure(facets.error());
   for (Corners& corners : *facets)
     for (Vec3& p : corners) {

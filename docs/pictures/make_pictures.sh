@@ -1,0 +1,46 @@
+#!/bin/sh
+# Draws the pictures of the documentation anew, by the program itself, from the example panels.
+# Usage, after `make build`: docs/pictures/make_pictures.sh [BUILD_FOLDER]      default: build/release
+# Needs rsvg-convert (Debian: librsvg2-bin).
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=$(cd "${1:-$here/../../build/release}" && pwd)
+beadmesh=$build/apps/beadmesh/beadmesh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+# mesh NAME PANEL OPTION...: the picture NAME.svg of a meshed example panel. Status 1 still has a picture.
+mesh() {
+  name=$1 panel=$2
+  shift 2
+  "$beadmesh" mesh "$panel.step" -o "$name.bdf" --report "$name.svg" "$@" || [ $? -eq 1 ]
+}
+
+# png NAME WIDTH: NAME.svg into the folder of the pictures.
+png() { rsvg-convert -w "$2" "$1.svg" -o "$here/$1.png"; }
+
+# crop FROM TO "X Y WIDTH HEIGHT": a part of FROM.svg as TO.svg.
+crop() { sed -E "1s/viewBox=\"[^\"]*\" width=\"[^\"]*\" height=\"[^\"]*\"/viewBox=\"$3\"/" "$1.svg" > "$2.svg"; }
+
+for panel in basic curved floor; do "$build/examples/make_example_panel" $panel $panel.step; done
+
+mesh floor floor
+png floor 1200
+
+mesh basic basic
+crop basic i_bead "70 165 580 140" && png i_bead 1100
+crop basic t_bead "80 405 680 400" && png t_bead 1100
+crop basic ring_bead "850 550 510 510" && png ring_bead 700
+crop basic sheet "90 760 780 430" && png sheet 1100
+
+mesh coarse basic --preset nvh
+crop coarse i_bead_coarse "70 165 580 140" && png i_bead_coarse 1100
+
+"$beadmesh" medial floor.step --face 2 --svg comb_medial.svg
+png comb_medial 1200
+"$beadmesh" medial basic.step --face 1 --svg sheet_medial.svg
+png sheet_medial 1200
+printf 'POLYGON((0 0, 100 0, 100 20, 70 20, 70 60, 50 60, 50 20, 0 20), (10 6, 30 6, 30 14, 10 14))' > corners.wkt
+"$beadmesh" medial corners.wkt --svg corners_medial.svg
+png corners_medial 1200
