@@ -58,6 +58,7 @@ AxisStation station_at(const SkeletonArm& arm, double along, const std::vector<d
   out.along = along;
   out.centre = lerp(a.point, b.point, t);
   out.radius = a.radius + t * (b.radius - a.radius);
+  out.subtended_angle = a.subtended_angle + t * (b.subtended_angle - a.subtended_angle);
   out.left = foot_between(a.feet[0], b.feet[0], t, loop_lengths);
   out.right = foot_between(a.feet[1], b.feet[1], t, loop_lengths);
   return out;

@@ -13,6 +13,7 @@ struct AxisStation {
   double along = 0;   ///< distance along the arm from its start
   Vec2 centre;
   double radius = 0;
+  double subtended_angle = 0;  ///< between the directions to the feet, radians
   BoundaryPosition left, right;
 };
 

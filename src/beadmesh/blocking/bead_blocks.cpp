@@ -9,6 +9,7 @@
 namespace beadmesh {
 namespace {
 
+constexpr double opposite_feet = radians(165);  ///< a cut runs across the arm only where its feet face each other
 constexpr double flat_sector = radians(150);  ///< arms further apart leave a straight far side between them
 
 /// One end of an arm at a junction, seen outward from the junction.
@@ -197,7 +198,8 @@ class BeadBlocks {
     return ridge_.nodes[n].tip;
   }
 
-  /// Where the clamp begins (section 4.2): thickness over 2 MEL and r + d over 4 MEL, d from the S vertex.
+  /// Where the clamp begins (section 4.2): thickness over 2 MEL and r + d over 4 MEL, d from the S vertex. In an end that
+  /// is no true arc the feet near S lie close together: the cut waits until they face each other.
   double cap_position(Index a, bool at_end) const {
     const ArmLine& line = arms_[a];
     const RidgeNode& node = ridge_.nodes[at_end ? ridge_.arms[a].end : ridge_.arms[a].start];
@@ -205,8 +207,10 @@ class BeadBlocks {
     const double step = mel / 10;
     const double beyond = distance(node.point, node.medial_point);  // the ridge runs on to the tip
     double d = std::max(0.0, 4 * mel - node.radius);
-    for (; d + beyond < line.length(); d += step)
-      if (2 * line.station(at_end ? line.length() - beyond - d : beyond + d).radius > 2 * mel) break;
+    for (; d + beyond < line.length(); d += step) {
+      const AxisStation station = line.station(at_end ? line.length() - beyond - d : beyond + d);
+      if (2 * station.radius > 2 * mel && station.subtended_angle > opposite_feet) break;
+    }
     return at_end ? line.length() - beyond - d : beyond + d;
   }
 

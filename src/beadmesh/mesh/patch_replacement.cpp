@@ -34,12 +34,13 @@ class Patch {
 
   /// Adds all quads around the node, then closes inward corners. False where that is no patch any more.
   bool start(Index seed) { return add_all(mesh_.star(seed)) && close(); }
-  /// Adds a ring of quads.
+  /// Adds a ring of quads; false also where there is none left.
   bool grow_ring() {
+    const size_t before = quads_.size();
     std::vector<Index> ring;
     for (const Index node : loop_)
       for (const Index e : mesh_.star(node)) ring.push_back(e);
-    return add_all(ring) && close();
+    return add_all(ring) && quads_.size() > before && close();
   }
 
  private:
