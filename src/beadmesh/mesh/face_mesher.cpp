@@ -1,17 +1,77 @@
 #include "beadmesh/mesh/face_mesher.h"
 
+#include "beadmesh/mesh/boundary_row.h"
+#include "beadmesh/mesh/corner_pillow.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/subdivision_mesher.h"
 #include "beadmesh/mesh/topological_cleanup.h"
 
 namespace beadmesh {
+namespace {
+
+/// The face inside the row, with its own node numbers; the holes follow the row's inner nodes.
+NodeLoops inside_of(const NodeLoops& loops, const std::vector<Vec2>& row) {
+  NodeLoops inner;
+  inner.nodes = row;
+  inner.loops.emplace_back();
+  for (size_t i = 0; i < row.size(); ++i) inner.loops[0].push_back(Index(i));
+  for (size_t l = 1; l < loops.loops.size(); ++l) {
+    inner.loops.emplace_back();
+    for (Index n : loops.loops[l]) {
+      inner.loops.back().push_back(Index(inner.nodes.size()));
+      inner.nodes.push_back(loops.nodes[n]);
+    }
+  }
+  return inner;
+}
+
+/// Puts the row around the mesh of the inside: nodes of `loops` first, as the contract says.
+PlanarMesh with_row(const NodeLoops& loops, const NodeLoops& inner, const PlanarMesh& inside) {
+  PlanarMesh out;
+  out.nodes = loops.nodes;
+  out.freedom.assign(loops.nodes.size(), NodeFreedom::fixed);
+  const size_t row_size = inner.loops[0].size();
+  std::vector<Index> global(inside.nodes.size(), no_index);
+  for (size_t l = 1; l < loops.loops.size(); ++l)
+    for (size_t i = 0; i < loops.loops[l].size(); ++i) global[inner.loops[l][i]] = loops.loops[l][i];
+  for (size_t n = 0; n < inside.nodes.size(); ++n) {
+    if (global[n] != no_index) continue;
+    global[n] = Index(out.nodes.size());
+    out.nodes.push_back(inside.nodes[n]);
+    out.freedom.push_back(NodeFreedom::free);
+  }
+  const auto& outer = loops.loops[0];
+  for (size_t i = 0; i < row_size; ++i) {
+    const size_t j = (i + 1) % row_size;
+    out.elements.push_back({outer[i], outer[j], global[j], global[i]});
+  }
+  for (MeshElement element : inside.elements) {
+    for (Index& n : element)
+      if (n != no_index) n = global[n];
+    out.elements.push_back(element);
+  }
+  return out;
+}
+
+Result<PlanarMesh> raw_mesh(const NodeLoops& loops, const SurfaceMap& map, const FaceMesherOptions& options) {
+  const SubdivisionOptions subdivision{options.size, options.min_edge};
+  if (const auto row = boundary_row(loops, {options.size, options.min_edge})) {
+    const NodeLoops inner = inside_of(loops, *row);
+    if (const auto inside = mesh_by_subdivision(inner, &map, subdivision)) return with_row(loops, inner, *inside);
+  }
+  return mesh_by_subdivision(loops, &map, subdivision);
+}
+
+}  // namespace
 
 Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map, const FaceMesherOptions& options) {
-  auto mesh = mesh_by_subdivision(loops, &map, {options.size, options.min_edge});
+  auto mesh = raw_mesh(loops, map, options);
   if (!mesh) return mesh;
-  smooth(*mesh, &map, {}, {options.size, options.min_edge});
+  const SmoothingOptions smoothing{options.size, options.min_edge};
+  smooth(*mesh, &map, {}, smoothing);
   clean_up(*mesh, &map, {}, {options.size, options.min_edge});
-  smooth(*mesh, &map, {}, {options.size, options.min_edge});
+  smooth(*mesh, &map, {}, smoothing);
+  relieve_flat_corners(*mesh, &map, {options.size, options.min_edge});
   return mesh;
 }
 

@@ -110,7 +110,7 @@ class PanelMesher {
         ++loops;
       }
     const int wanted = int(std::lround(sum / loops / options_.size));
-    const int most = int(shortest / (1.1 * options_.min_edge));
+    const int most = int(shortest / (1.45 * options_.min_edge));
     return std::max(8, std::min(wanted, most) / 2 * 2);
   }
 
