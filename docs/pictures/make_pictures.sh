@@ -18,7 +18,7 @@ mesh() {
 }
 
 # png NAME WIDTH: NAME.svg into the folder of the pictures.
-png() { rsvg-convert -w "$2" "$1.svg" -o "$here/$1.png"; }
+png() { rsvg-convert --background-color white -w "$2" "$1.svg" -o "$here/$1.png"; }
 
 # crop FROM TO "X Y WIDTH HEIGHT": a part of FROM.svg as TO.svg.
 crop() { sed -E "1s/viewBox=\"[^\"]*\" width=\"[^\"]*\" height=\"[^\"]*\"/viewBox=\"$3\"/" "$1.svg" > "$2.svg"; }
@@ -32,7 +32,7 @@ mesh basic basic
 crop basic i_bead "70 165 580 140" && png i_bead 1100
 crop basic t_bead "80 405 680 400" && png t_bead 1100
 crop basic ring_bead "850 550 510 510" && png ring_bead 700
-crop basic sheet "90 760 780 430" && png sheet 1100
+crop basic sheet "90 760 780 405" && png sheet 1100
 
 mesh coarse basic --preset nvh
 crop coarse i_bead_coarse "70 165 580 140" && png i_bead_coarse 1100

@@ -102,15 +102,16 @@ class PlanPanel {
     return static_cast<int>(loops_.size()) - 1;
   }
 
-  /// A face inside loop `outer` and outside `holes`. Returns its index.
-  Index add_face(int outer, const std::vector<int>& holes, const Lift& lift) {
+  /// A face inside loop `outer` and outside `holes`; `spacing` of its inner points (0: the panel's). Returns
+  /// its index.
+  Index add_face(int outer, const std::vector<int>& holes, const Lift& lift, double spacing = 0) {
     const Index index = static_cast<Index>(panel_.faces.size());
     PanelFace face;
     face.number = index + 1;
     PlanPoints plan;
     add_loop_to(face, plan, outer, false, index);
     for (int hole : holes) add_loop_to(face, plan, hole, true, index);
-    add_inner_points(face.facets, plan, lift);
+    add_inner_points(face.facets, plan, lift, spacing > 0 ? spacing : spacing_);
     fill(face.facets, plan, index, lift);
     panel_.faces.push_back(std::move(face));
     return index;
@@ -172,7 +173,7 @@ class PlanPanel {
   }
 
   /// A skew grid, so that the facets do not share the symmetries of the shape.
-  void add_inner_points(Facets& facets, PlanPoints& plan, const Lift& lift) {
+  void add_inner_points(Facets& facets, PlanPoints& plan, const Lift& lift, double spacing) {
     Vec2 low = plan[0], high = plan[0];
     const std::size_t boundary = plan.size();
     for (const Vec2 p : plan) {
@@ -180,13 +181,13 @@ class PlanPanel {
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
     int row = 0;
-    for (double y = low.y + 0.37 * spacing_; y < high.y; y += 0.87 * spacing_, ++row)
-      for (double x = low.x + (0.31 + 0.47 * (row % 2)) * spacing_; x < high.x; x += spacing_) {
+    for (double y = low.y + 0.37 * spacing; y < high.y; y += 0.87 * spacing, ++row)
+      for (double x = low.x + (0.31 + 0.47 * (row % 2)) * spacing; x < high.x; x += spacing) {
         const Vec2 p{x, y};
         if (!is_inside(facets, plan, p)) continue;
         const bool crowded =
             std::any_of(plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(boundary),
-                        [&](Vec2 q) { return squared_norm(q - p) < 0.36 * spacing_ * spacing_; });
+                        [&](Vec2 q) { return squared_norm(q - p) < 0.36 * spacing * spacing; });
         if (crowded) continue;
         plan.push_back(p);
         facets.points.push_back(lift(p));

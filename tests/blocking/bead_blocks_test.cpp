@@ -104,12 +104,15 @@ TEST(BeadBlocks, ArmWithoutATipIsRefused) {
 }
 
 TEST(BeadBlocks, JunctionsTooNearForABlockAreRefused) {
-  // Teeth on opposite sides, a third of the width apart along the bar: the hubs overlap, but it is no X.
-  const Blocked bead = blocked(region_of(examples::comb_bead(3, 18, 46, 12, 2.9)), 4);
-  if (bead.layout)
-    expect_sound(*bead.layout, bead.region);
-  else
-    EXPECT_EQ(bead.layout.error().code.substr(0, 9), "blocking.");
+  // Between teeth 16 mm apart and 12 mm wide less than 4 mm of the spine are left.
+  const PlanarRegion region = region_of(examples::comb_bead(3, 16, 46, 12, 1.8));
+  const Blocked fine = blocked(region, 4);
+  ASSERT_TRUE(fine.layout) << fine.layout.error().message;
+  expect_sound(*fine.layout, fine.region);
+  const Skeleton skeleton = skeleton_of(medial_of(region));
+  const auto coarse = blocks_of_bead(skeleton, ridge_of(skeleton, region), region, {12, 6, 4});
+  ASSERT_FALSE(coarse);
+  EXPECT_EQ(coarse.error().code, "blocking.short_arm");
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ inline std::set<std::pair<Index, Index>> directed_edges(const PlanarMesh& mesh) 
 inline NodeLoops loops_of(const BeadMesh& bead, const PlanarRegion& region) {
   NodeLoops loops{bead.mesh.nodes, std::vector<std::vector<Index>>(region.loops.size())};
   std::vector<std::vector<std::pair<double, Index>>> sorted(region.loops.size());
-  for (const BoundaryNode& node : bead.boundary) sorted[node.at.loop].emplace_back(node.at.position, node.node);
+  for (const BoundaryNode& node : bead.boundary)
+    sorted[node.at.loop].emplace_back(node.at.position, node.node);
   const BlockLayoutBuilder boundary(region);
   for (size_t l = 0; l < sorted.size(); ++l) {
     for (auto& [at, node] : sorted[l]) {
@@ -53,8 +54,8 @@ inline NodeLoops loops_of(const BeadMesh& bead, const PlanarRegion& region) {
   return loops;
 }
 
-/// Topology, boundary and crest: quads only, the boundary nodes where they say and an even number a loop, crest lines
-/// made of element edges.
+/// Topology, boundary and crest: quads only, the boundary nodes where they say and an even number a loop,
+/// crest lines made of element edges.
 inline void expect_sound(const BeadMesh& bead, const FaceStudy& study) {
   const NodeLoops loops = loops_of(bead, study.region);
   for (const auto& loop : loops.loops) EXPECT_EQ(loop.size() % 2, 0);
@@ -73,7 +74,8 @@ inline void expect_sound(const BeadMesh& bead, const FaceStudy& study) {
   const auto edges = directed_edges(bead.mesh);
   for (const auto& line : bead.crest_lines)
     for (size_t i = 1; i < line.size(); ++i)
-      EXPECT_TRUE(edges.contains({line[i - 1], line[i]}) || edges.contains({line[i], line[i - 1]})) << "crest edge " << i;
+      EXPECT_TRUE(edges.contains({line[i - 1], line[i]}) || edges.contains({line[i], line[i - 1]}))
+          << "crest edge " << i;
   EXPECT_EQ(verify_planar_mesh(bead.mesh, loops), std::vector<std::string>{});
 }
 

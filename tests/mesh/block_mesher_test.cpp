@@ -27,10 +27,13 @@ BlockLayout counted(Result<BlockLayout> layout, const SurfaceMap& map) {
 BeadMesh mapped(const StudiedBead& bead, int across) {
   const Skeleton skeleton = bead.skeleton();
   const RidgeGraph ridge = ridge_of(skeleton, bead.study->region, &bead.map());
-  return map_blocks(counted(blocks_of_bead(skeleton, ridge, bead.study->region, {5, 2.5, across}), bead.map()), bead.map());
+  return map_blocks(
+      counted(blocks_of_bead(skeleton, ridge, bead.study->region, {5, 2.5, across}), bead.map()), bead.map());
 }
 
-int irregular(const BeadMesh& bead, const FaceStudy& study) { return quality_of(bead, study).irregular; }
+int irregular(const BeadMesh& bead, const FaceStudy& study) {
+  return quality_of(bead, study).irregular;
+}
 
 TEST(BlockMesher, IBeadIsValidWithFourIrregularNodes) {
   const StudiedBead bead = studied_bead(examples::straight_bead(84, 16), 5);
@@ -63,7 +66,8 @@ TEST(BlockMesher, RingIsRegularWithAClosedCrest) {
   const StudiedBead bead = studied_bead(examples::circular_ring(44, 14), 5);
   AnnularBlockOptions options;
   options.elements_around = 46;
-  const BlockLayout layout = counted(blocks_of_annular_bead(bead.skeleton(), bead.study->region, options), bead.map());
+  const BlockLayout layout =
+      counted(blocks_of_annular_bead(bead.skeleton(), bead.study->region, options), bead.map());
   const BeadMesh mesh = map_blocks(layout, bead.map());
   expect_sound(mesh, *bead.study);
   EXPECT_EQ(mesh.mesh.elements.size(), 46 * 4);
@@ -80,7 +84,8 @@ TEST(BlockMesher, PrescribedNodesKeepTheirPlaces) {
   AnnularBlockOptions options;
   options.prescribed.resize(2);
   for (int i = 0; i < 44; ++i) options.prescribed[1].push_back((i + 0.3 + 0.2 * (i % 2)) * lengths[1] / 44);
-  const BlockLayout layout = counted(blocks_of_annular_bead(bead.skeleton(), bead.study->region, options), bead.map());
+  const BlockLayout layout =
+      counted(blocks_of_annular_bead(bead.skeleton(), bead.study->region, options), bead.map());
   const BeadMesh mesh = map_blocks(layout, bead.map());
   expect_sound(mesh, *bead.study);
   std::vector<double> at;

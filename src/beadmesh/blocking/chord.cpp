@@ -54,8 +54,8 @@ class CapBuilder {
     rows_ = best_rows(size, min_edge);
   }
 
-  /// Rows along the cap: elements near the size both round the arc and along the crest, none under the minimum where
-  /// that is possible.
+  /// Rows along the cap: elements near the size both round the arc and along the crest; none under the minimum where that
+  /// is possible.
   int best_rows(double size, double min_edge) const {
     double crest = 0;
     for (size_t i = 1; i < crest_.size(); ++i) crest += distance(crest_[i - 1], crest_[i]);

@@ -19,6 +19,8 @@ namespace {
 
 /// Worst scaled Jacobian that a bead mesh may show before the next method is tried.
 constexpr double acceptable_jacobian = 0.35;
+/// Good enough to stop looking for a better variant of the same method.
+constexpr double good_jacobian = 0.7;
 
 struct Width {
   double mean = 0, least = 0;
@@ -48,9 +50,14 @@ Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map, 
   return mesh;
 }
 
+struct Judged {
+  BeadMesh mesh;
+  double worst = 0;  ///< scaled Jacobian
+};
+
 /// Smooths and judges. What falls short is said in the failure.
-Result<BeadMesh> finished(Result<BeadMesh> mesh, const SurfaceMap& map, const BeadMesherOptions& options) {
-  if (!mesh) return mesh;
+Result<Judged> finished(Result<BeadMesh> mesh, const SurfaceMap& map, const BeadMesherOptions& options) {
+  if (!mesh) return tl::unexpected(mesh.error());
   const SmoothingReport report = smooth(mesh->mesh, &map, mesh->crest_lines, {options.size, options.min_edge});
   if (report.inverted > 0)
     return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
@@ -58,7 +65,7 @@ Result<BeadMesh> finished(Result<BeadMesh> mesh, const SurfaceMap& map, const Be
     return fail("mesh.bead.min_edge", std::to_string(report.edges_below_min) + " edges under the minimum length");
   if (report.scaled_jacobian_min < acceptable_jacobian)
     return fail("mesh.bead.jacobian", "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
-  return mesh;
+  return Judged{std::move(*mesh), report.scaled_jacobian_min};
 }
 
 std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {
@@ -66,6 +73,13 @@ std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {
   for (const auto& line : mesh.crest_lines)
     for (size_t i = 1; i < line.size(); ++i) edges.push_back({line[i - 1], line[i]});
   return edges;
+}
+
+void renumber(BeadMesh& mesh, const std::vector<Index>& renumbered) {
+  if (renumbered.empty()) return;
+  for (BoundaryNode& node : mesh.boundary) node.node = renumbered[node.node];
+  for (auto& line : mesh.crest_lines)
+    for (Index& n : line) n = renumbered[n];
 }
 
 bool is_prescribed(const BeadMesherOptions& options) {
@@ -87,7 +101,8 @@ class BeadMesher {
     for (int m = across(); m >= 2; m -= 2) {
       blocks.elements_across = m;
       if (attempt("blocks", [&] { return mesh_layout(blocks_of_annular_bead(crest_, study_.region, blocks), *study_.map, options_); }))
-        return std::move(*best_);
+        return result();
+      if (best_) return result();
     }
     return last_resort();
   }
@@ -96,9 +111,15 @@ class BeadMesher {
     if (is_prescribed(options_)) return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
     for (int m = across(); m >= 2; m -= 2) {
-      const BeadBlockOptions blocks{options_.size, options_.min_edge, m};
-      if (attempt("blocks", [&] { return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map, options_); }))
-        return std::move(*best_);
+      for (double cap_scale : {0.75, 1.0, 0.6}) {
+        const BeadBlockOptions blocks{options_.size, options_.min_edge, m, cap_scale};
+        if (attempt("blocks", [&] {
+              return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map, options_);
+            }))
+          return result();
+      }
+      // Fewer elements across only where no clamp would do.
+      if (best_) return result();
     }
     return last_resort();
   }
@@ -106,19 +127,27 @@ class BeadMesher {
  private:
   int across() const { return elements_across(width_.mean, width_.least, {options_.size, options_.min_edge}); }
 
+  /// Keeps the best mesh so far; true where it is good enough to stop.
   bool attempt(const std::string& name, const std::function<Result<BeadMesh>()>& make) {
-    auto mesh = finished(make(), *study_.map, options_);
-    if (!mesh) {
-      reasons_.push_back(name + ": " + mesh.error().message);
+    auto judged = finished(make(), *study_.map, options_);
+    if (!judged) {
+      const std::string reason = name + ": " + judged.error().message;
+      if (std::find(reasons_.begin(), reasons_.end(), reason) == reasons_.end()) reasons_.push_back(reason);
       return false;
     }
-    mesh->notes = reasons_;
-    best_ = std::move(*mesh);
-    return true;
+    if (!best_ || judged->worst > best_->worst) best_ = std::move(*judged);
+    return best_->worst >= good_jacobian;
+  }
+
+  /// Reasons are told only where the first method failed altogether.
+  Result<BeadMesh> result() {
+    if (best_->mesh.method != "blocks") best_->mesh.notes = reasons_;
+    return std::move(best_->mesh);
   }
 
   Result<BeadMesh> last_resort() {
-    if (!is_prescribed(options_) && attempt("ridge", [&] { return by_ridge(); })) return std::move(*best_);
+    if (!is_prescribed(options_)) attempt("ridge", [&] { return by_ridge(); });
+    if (best_) return result();
     std::string all;
     for (const std::string& reason : reasons_) all += (all.empty() ? "" : "; ") + reason;
     return fail("mesh.bead.failed", all);
@@ -128,7 +157,9 @@ class BeadMesher {
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
     auto mesh = mesh_by_ridge_insertion(ridge, study_.region, *study_.map, {options_.size, options_.min_edge});
     if (!mesh) return mesh;
-    clean_up(mesh->mesh, study_.map.get(), crest_edges(*mesh), {options_.size, options_.min_edge});
+    const CleanupReport report =
+        clean_up(mesh->mesh, study_.map.get(), crest_edges(*mesh), {options_.size, options_.min_edge});
+    renumber(*mesh, report.renumbered);
     return mesh;
   }
 
@@ -138,7 +169,7 @@ class BeadMesher {
   Skeleton crest_;  ///< the same, its points on the crest
   Width width_;
   std::vector<std::string> reasons_;
-  std::optional<BeadMesh> best_;
+  std::optional<Judged> best_;
 };
 
 }  // namespace

@@ -195,7 +195,7 @@ int relieve_with(PlanarMesh& mesh, const SurfaceMap* map, const CornerPillowOpti
 
 int relieve_flat_corners(PlanarMesh& mesh, const SurfaceMap* map, const CornerPillowOptions& options) {
   int kept = 0;
-  for (int layers : {2, 3, 2}) kept += relieve_with(mesh, map, options, layers);
+  for (int layers : {2, 3, 4}) kept += relieve_with(mesh, map, options, layers);
   return kept;
 }
 

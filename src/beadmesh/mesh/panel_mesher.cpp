@@ -65,7 +65,7 @@ class PanelMesher {
     for (size_t g = 0; g < groups.size(); ++g) (groups[g].size() == 1 ? single : shared).push_back(g);
     tbb::parallel_for(size_t(0), single.size(), [&](size_t i) {
       const Index b = groups[single[i]][0];
-      meshes[b] = attempt_bead(b, 0);
+      meshes[b] = attempt_bead(b, elements_around(groups[single[i]]));
     });
     for (Index b = 0; b < Index(meshes.size()); ++b)
       if (meshes[b]) accept(b, std::move(*meshes[b]));
@@ -96,8 +96,8 @@ class PanelMesher {
     return groups;
   }
 
-  /// Rings that share loops share the number of elements around: near the size on the mean, not under the minimum on the
-  /// shortest loop.
+  /// Rings that share loops share the number of elements around: near the size on the mean, and on the shortest loop long
+  /// enough that an island inside it can be meshed in rows.
   int elements_around(const std::vector<Index>& beads) const {
     double shortest = 1e300, sum = 0;
     int loops = 0;

@@ -51,7 +51,10 @@ class RidgeInserter {
     place_graph_nodes();
     for (const RidgeArm& arm : ridge_.arms) place_arm(arm);
     cut_boundary();
-    for (BoundaryArc& arc : arcs_) arc.count = count_for(arc_line(arc).length(), arc.start == no_index ? 6 : 2);
+    for (BoundaryArc& arc : arcs_) {
+      const double length = arc_line(arc).length();
+      arc.count = arc.start == no_index ? even_count_for(length) : count_for(length, 2);
+    }
     make_sides_even();
     for (BoundaryArc& arc : arcs_) place_arc(arc);
     const std::vector<Side> sides = trace_sides();
@@ -73,6 +76,13 @@ class RidgeInserter {
     return std::max(least, std::min(most, int(std::lround(length / options_.size))));
   }
 
+  /// Of a closed line: even, so that what lies on its other side can be even as well.
+  int even_count_for(double length) const {
+    const int n = count_for(length, 6);
+    const bool room = n < 7 || length / (n + 1) >= 1.1 * options_.min_edge;
+    return n % 2 == 0 ? n : room ? n + 1 : n - 1;
+  }
+
   void place_graph_nodes() {
     for (const RidgeNode& node : ridge_.nodes) {
       graph_node_.push_back(add_node(node.point, NodeFreedom::fixed));
@@ -85,7 +95,7 @@ class RidgeInserter {
     const bool closed = arm.start == no_index;
     if (closed) points.push_back(points.front());
     const SurfacePolyline line(points, map_);
-    const int count = count_for(line.length(), closed ? 6 : 1);
+    const int count = closed ? even_count_for(line.length()) : count_for(line.length(), 1);
     NodeRow row{closed ? add_node(points.front(), NodeFreedom::crest) : graph_node_[arm.start]};
     for (int i = 1; i < count; ++i) row.push_back(add_node(line.point_at(line.length() * i / count), NodeFreedom::crest));
     row.push_back(closed ? row.front() : graph_node_[arm.end]);

@@ -1,0 +1,195 @@
+#include "beadmesh/mesh/panel_mesher.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <set>
+
+#include "beadmesh/bead/recognition.h"
+#include "mesh/bead_plates.h"
+
+namespace beadmesh {
+namespace {
+
+using namespace shapes;
+
+/// The first `beads` faces are the beads.
+StudiedPanel studied(const Panel& panel, Index beads) {
+  StudiedPanel out;
+  for (Index f = 0; f < Index(panel.faces.size()); ++f) {
+    auto study = study_faces(panel, {f});
+    out.studies.push_back(std::move(study.value()));
+    out.medials.emplace_back();
+    if (f >= beads) continue;
+    out.medials.back() = std::make_unique<MedialObject>(medial_of(out.studies.back()->region));
+    Bead bead = recognise(*out.studies.back(), *out.medials.back()).value();
+    bead.id = f + 1;
+    out.table.beads.push_back(std::move(bead));
+  }
+  return out;
+}
+
+/// Edges with one element only that do not lie on the rectangular outline.
+int free_edges_inside(const ShellMesh& mesh, double length, double width) {
+  std::map<std::pair<Index, Index>, int> uses;
+  for (const ShellElement& element : mesh.elements)
+    for (int k = 0; k < corner_count(element.nodes); ++k)
+      ++uses[std::minmax(element.nodes[k], element.nodes[(k + 1) % corner_count(element.nodes)])];
+  const auto on_outline = [&](Index n) {
+    const Vec3 p = mesh.nodes[n];
+    return std::abs(std::abs(p.x) - length / 2) < 1e-6 || std::abs(std::abs(p.y) - width / 2) < 1e-6;
+  };
+  return static_cast<int>(std::count_if(uses.begin(), uses.end(), [&](const auto& edge) {
+    return edge.second == 1 && !(on_outline(edge.first.first) && on_outline(edge.first.second));
+  }));
+}
+
+const BeadSet* set_of(const ShellMesh& mesh, Index bead) {
+  for (const BeadSet& set : mesh.beads)
+    if (set.bead == bead) return &set;
+  return nullptr;
+}
+
+TEST(PanelMesher, PanelOfEveryKindIsConformingAndGood) {
+  const Panel panel = plate_of_every_kind();
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(verify_shell_mesh(mesh->mesh), std::vector<std::string>{});
+  EXPECT_EQ(free_edges_inside(mesh->mesh, 240, 150), 0);
+  EXPECT_EQ(mesh->quality.trias, 0);
+  EXPECT_EQ(mesh->quality.inverted, 0);
+  EXPECT_EQ(mesh->quality.edges_below_min, 0);
+  EXPECT_GE(mesh->quality.scaled_jacobian_min, 0.3);
+  EXPECT_GE(mesh->quality.scaled_jacobian_mean, 0.9);
+  for (const BeadMeshing& meshing : mesh->meshing) EXPECT_EQ(meshing.method, "blocks");
+  EXPECT_TRUE(mesh->table.diagnostics.empty());
+}
+
+TEST(PanelMesher, NodesLieOnTheSurface) {
+  const Panel panel = plate_of_every_kind();
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
+  ASSERT_TRUE(mesh);
+  const Base base = cylinder_base(900);
+  for (const ShellElement& element : mesh->mesh.elements)
+    for (const Index n : element.nodes) {
+      const Vec3 p = mesh->mesh.nodes[n];
+      if (element.bead == 0) {
+        EXPECT_NEAR(p.z, base({p.x, p.y}), 0.02);
+      } else {
+        EXPECT_GE((p.z - base({p.x, p.y})) * (element.bead == 3 ? -1 : 1), -0.02) << "bead " << element.bead;
+      }
+    }
+}
+
+TEST(PanelMesher, PartsAndSetsFollowTheBeads) {
+  const Panel panel = plate_of_every_kind();
+  PanelMesherOptions options;
+  options.thickness = 0.8;
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), options);
+  ASSERT_TRUE(mesh);
+  std::set<std::string> names;
+  std::set<Index> ids;
+  for (const ShellPart& part : mesh->mesh.parts) {
+    names.insert(part.name);
+    ids.insert(part.id);
+    EXPECT_EQ(part.thickness, 0.8);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"sheet", "bead_I", "bead_generic", "bead_annular"}));
+  EXPECT_EQ(ids.size(), 4);
+  const Base base = cylinder_base(900);
+  for (const Index b : {1, 2, 3}) {
+    const BeadSet* set = set_of(mesh->mesh, b);
+    ASSERT_TRUE(set);
+    EXPECT_EQ(int(set->elements.size()), mesh->meshing[b - 1].elements);
+    for (const Index e : set->elements) {
+      EXPECT_EQ(mesh->mesh.elements[e].bead, b);
+      EXPECT_EQ(mesh->mesh.elements[e].face, panel.faces[b - 1].number);
+    }
+    EXPECT_TRUE(std::is_sorted(set->crest_nodes.begin(), set->crest_nodes.end()));
+    const auto on_top = std::count_if(set->crest_nodes.begin(), set->crest_nodes.end(), [&](Index n) {
+      const Vec3 p = mesh->mesh.nodes[n];
+      return std::abs(std::abs(p.z - base({p.x, p.y})) - 5) < 0.05;
+    });
+    EXPECT_GT(on_top, int(0.7 * double(set->crest_nodes.size()))) << "all but the caps";
+  }
+}
+
+TEST(PanelMesher, NestedRingsShareTheirNodes) {
+  BeadPlate plate(140, 140);
+  plate.add(examples::circular_ring(50, 14), 5);
+  plate.add_ring_inside({0, 0}, 36, 14, -5);
+  const Panel panel = plate.take();
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 2), {});
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(verify_shell_mesh(mesh->mesh), std::vector<std::string>{});
+  EXPECT_EQ(free_edges_inside(mesh->mesh, 140, 140), 0);
+  for (const BeadMeshing& meshing : mesh->meshing) EXPECT_EQ(meshing.method, "blocks");
+  EXPECT_EQ(mesh->quality.edges_below_min, 0);
+}
+
+TEST(PanelMesher, BeadThatDefeatsItsMethodsIsAnOrdinaryFaceAndNamed) {
+  BeadPlate plate(120, 60);
+  plate.add(examples::straight_bead(60, 3.2), 0.8);
+  const Panel panel = plate.take();
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 1), {});
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  ASSERT_EQ(mesh->meshing.size(), 1);
+  EXPECT_EQ(mesh->meshing[0].method, "fallback");
+  EXPECT_GT(mesh->meshing[0].elements, 0);
+  EXPECT_FALSE(mesh->meshing[0].notes.empty());
+  ASSERT_EQ(mesh->table.diagnostics.size(), 1);
+  EXPECT_EQ(mesh->table.diagnostics[0].code, "mesh.bead.fallback");
+  EXPECT_EQ(mesh->table.diagnostics[0].face, 1);
+  EXPECT_EQ(mesh->table.diagnostics[0].severity, Severity::warning);
+  EXPECT_EQ(verify_shell_mesh(mesh->mesh), std::vector<std::string>{});
+  EXPECT_EQ(free_edges_inside(mesh->mesh, 120, 60), 0);
+}
+
+TEST(PanelMesher, FaceThatCouldNotBeLaidFlatIsLeftOut) {
+  const Panel panel = plate_of_every_kind();
+  StudiedPanel study = studied(panel, 3);
+  study.studies[3].reset();  // the island in the ring
+  const auto mesh = mesh_studied_panel(panel, study, {});
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(verify_shell_mesh(mesh->mesh), std::vector<std::string>{});
+  for (const ShellElement& element : mesh->mesh.elements) EXPECT_NE(element.face, panel.faces[3].number);
+  EXPECT_GT(free_edges_inside(mesh->mesh, 240, 150), 0);
+}
+
+TEST(PanelMesher, NothingToMeshIsAFailure) {
+  const Panel panel = plate_of_every_kind();
+  StudiedPanel study = studied(panel, 0);
+  for (auto& face : study.studies) face.reset();
+  const auto mesh = mesh_studied_panel(panel, study, {});
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, "mesh.nothing");
+}
+
+TEST(PanelMesher, CancelledIsAFailure) {
+  const Panel panel = plate_of_every_kind();
+  const std::atomic<bool> cancelled = true;
+  Context context;
+  context.cancelled = &cancelled;
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {}, context);
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, "mesh.cancelled");
+}
+
+TEST(PanelMesher, SizesFollowTheOptions) {
+  BeadPlate plate(160, 100);
+  plate.add(examples::straight_bead(70, 30), 6);
+  const Panel panel = plate.take();
+  const StudiedPanel study = studied(panel, 1);
+  const auto fine = mesh_studied_panel(panel, study, {4, 2, 1}),
+             coarse = mesh_studied_panel(panel, study, {9, 4.5, 1});
+  ASSERT_TRUE(fine && coarse);
+  EXPECT_EQ(fine->quality.edges_below_min + coarse->quality.edges_below_min, 0);
+  EXPECT_GE(fine->quality.edge_min, 2);
+  EXPECT_GE(coarse->quality.edge_min, 4.5);
+  EXPECT_GT(fine->mesh.elements.size(), 3 * coarse->mesh.elements.size());
+}
+
+}  // namespace
+}  // namespace beadmesh
