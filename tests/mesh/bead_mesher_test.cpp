@@ -115,9 +115,9 @@ TEST(BeadMesher, BeadWithSetNodesIsRefusedUnlessARing) {
 }
 
 TEST(BeadMesher, BeadTooNarrowForTheMinimumNamesEveryReason) {
-  const StudiedBead bead = studied_bead(examples::straight_bead(84, 3.2), 0.8, flat_base, {}, 0.7);
+  const StudiedBead bead = studied_bead(examples::straight_bead(84, 2.2), 0.6, flat_base, {}, 0.7);
   const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::I);
-  ASSERT_FALSE(mesh) << "two elements of 2.5 mm do not fit 3.2 mm";
+  ASSERT_FALSE(mesh) << "two elements of 2.5 mm do not fit 2.2 mm";
   EXPECT_EQ(mesh.error().code, "mesh.bead.failed");
   EXPECT_NE(mesh.error().message.find("blocks: "), std::string::npos) << mesh.error().message;
   EXPECT_NE(mesh.error().message.find("ridge: "), std::string::npos) << mesh.error().message;

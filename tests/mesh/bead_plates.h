@@ -63,7 +63,7 @@ class BeadPlate {
 inline Panel plate_of_every_kind() {
   BeadPlate plate(240, 150, cylinder_base(900));
   plate.add(placed(examples::straight_bead(80, 16), {-60, 50}, 0), 5);
-  plate.add(placed(t_footprint(16, 100, 50), {-55, -15}, 0), 5);
+  plate.add(placed(t_footprint(16, 100, 50), {-55, -5}, 0), 5);
   plate.add(placed(examples::circular_ring(40, 14), {60, 0}, 0), -5);
   return plate.take();
 }

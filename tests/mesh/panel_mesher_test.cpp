@@ -131,9 +131,10 @@ TEST(PanelMesher, NestedRingsShareTheirNodes) {
 
 TEST(PanelMesher, BeadThatDefeatsItsMethodsIsAnOrdinaryFaceAndNamed) {
   BeadPlate plate(120, 60);
-  plate.add(examples::straight_bead(60, 3.2), 0.8);
+  plate.add(examples::straight_bead(60, 6), 1);
   const Panel panel = plate.take();
-  const auto mesh = mesh_studied_panel(panel, studied(panel, 1), {});
+  // Two elements of 6 mm do not fit its width.
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 1), {12, 6, 1});
   ASSERT_TRUE(mesh) << mesh.error().message;
   ASSERT_EQ(mesh->meshing.size(), 1);
   EXPECT_EQ(mesh->meshing[0].method, "fallback");

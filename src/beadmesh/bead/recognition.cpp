@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "beadmesh/bead/crest_offset.h"
+#include "beadmesh/bead/plan_frame.h"
 #include "beadmesh/bead/ridge.h"
 #include "beadmesh/bead/shape_letter.h"
 
@@ -78,6 +79,18 @@ BeadKind kind_of(const MedialObject& medial, size_t loops) {
   return BeadKind::generic;
 }
 
+/// The axis as a person sees it, along the normal: the walls widen the flat face while its outline keeps its length, so
+/// that a bend turns less in it than in space.
+Skeleton seen_from_above(Skeleton skeleton, const FaceStudy& study) {
+  if (skeleton.arms.empty()) return skeleton;
+  const Vec2 around = skeleton.arms.front().points.front().point;
+  const PlanFrame frame(study.map.get(), around, normalized(vector_area(study.facets)));
+  for (SkeletonNode& node : skeleton.nodes) node.point = frame.to_plan(node.point);
+  for (SkeletonArm& arm : skeleton.arms)
+    for (MedialPoint& p : arm.points) p.point = frame.to_plan(p.point);
+  return skeleton;
+}
+
 std::vector<RidgeCurve> curves_of(const FaceStudy& study, const RidgeGraph& graph) {
   std::vector<RidgeCurve> curves;
   for (const RidgeArm& arm : graph.arms) {
@@ -88,6 +101,29 @@ std::vector<RidgeCurve> curves_of(const FaceStudy& study, const RidgeGraph& grap
     curves.push_back(std::move(curve));
   }
   return curves;
+}
+
+/// The skeleton seen from above. The flattened face of a curved, raised bead bends less than the bead does, so letters are
+/// read in plan: along the mean normal of the sheet at the feet.
+Skeleton in_plan(const FaceStudy& study, Skeleton skeleton) {
+  const SurfaceMap& map = *study.map;
+  Vec3 up;
+  for (const SkeletonArm& arm : skeleton.arms)
+    for (const MedialPoint& p : arm.points)
+      for (const Foot& foot : p.feet) up += map.normal(map.locate(foot.point));
+  up = normalized(up);
+  const Vec3 x = normalized(cross(std::abs(up.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, up)), y = cross(up, x);
+  const auto seen = [&](Vec2 flat) {
+    const Vec3 p = study.lift(flat);
+    return Vec2{dot(p, x), dot(p, y)};
+  };
+  for (SkeletonNode& node : skeleton.nodes) node.point = seen(node.point);
+  for (SkeletonArm& arm : skeleton.arms)
+    for (MedialPoint& p : arm.points) {
+      p.radius = distance(seen(p.feet[0].point), seen(p.feet[1].point)) / 2;
+      p.point = seen(p.point);
+    }
+  return skeleton;
 }
 
 }  // namespace
@@ -126,7 +162,7 @@ Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const
                                     options.min_rise));
   const Skeleton skeleton = skeleton_of(medial);
   bead.kind = kind_of(medial, study.region.loops.size());
-  bead.shape = shape_letter(skeleton);
+  bead.shape = shape_letter(seen_from_above(skeleton, study));
   bead.ridge = curves_of(study, ridge_of(moved_to_crest(skeleton, *study.map), study.region, study.map.get()));
   const RidgeCurve& longest = *std::max_element(bead.ridge.begin(), bead.ridge.end(), [](auto& a, auto& b) {
     return a.points.size() < b.points.size();

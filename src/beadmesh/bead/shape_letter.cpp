@@ -88,11 +88,11 @@ std::string letter_of_one_way(const ArmShape& arm, double total) {
   }
   const double straight_share = 1 - bent / arm.length;
   const double off_middle = std::abs(middle / std::max(bent, 1e-300) / arm.length - 0.5);
-  if (total > radians(235) && (arm.bends.size() > 1 || straight_share < 0.35)) return total > radians(300) || arm.bends.size() > 2 ? "G" : "C";
+  if (total > radians(285)) return "G";
   if (straight_share < 0.3 && sharp == 0) return total < radians(150) ? "arc" : "C";
   if (arm.bends.size() >= 3) return "G";
   if (arm.bends.size() == 2) return total > radians(235) ? "G" : "U";
-  if (total > radians(150)) return off_middle < 0.08 ? "U" : "J";
+  if (total > radians(125)) return off_middle < 0.08 ? "U" : "J";
   if (total > radians(40) && straight_share > 0.3) return off_middle < 0.28 ? "L" : "J";
   return total < radians(150) ? "arc" : "C";
 }
@@ -103,11 +103,13 @@ std::string letter_of_arm(const SkeletonArm& arm) {
   if (shape.bends.empty() || total < radians(18)) return "I";
   bool both_ways = false;
   int sharp = 0;
+  double bent = 0;
   for (const Bend& b : shape.bends) {
+    bent += b.length;
     both_ways |= (b.turn > 0) != (shape.bends[0].turn > 0);
     sharp += is_sharp(b, shape);
   }
-  if (both_ways && small > radians(12)) return sharp == 2 && shape.bends.size() == 2 && total > radians(55) ? "Z" : "S";
+  if (both_ways && small > radians(12)) return sharp == 2 && shape.bends.size() == 2 && bent < 0.5 * shape.length ? "Z" : "S";
   return letter_of_one_way(shape, total);
 }
 
