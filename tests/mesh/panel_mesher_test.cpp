@@ -131,7 +131,7 @@ TEST(PanelMesher, NestedRingsShareTheirNodes) {
 
 TEST(PanelMesher, BeadThatDefeatsItsMethodsIsAnOrdinaryFaceAndNamed) {
   BeadPlate plate(120, 60);
-  plate.add(examples::straight_bead(60, 6), 1);
+  plate.add(examples::straight_bead(60, 4), 0.7);
   const Panel panel = plate.take();
   // Two elements of 6 mm do not fit its width.
   const auto mesh = mesh_studied_panel(panel, studied(panel, 1), {12, 6, 1});

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "beadmesh/bead/crest_offset.h"
-#include "beadmesh/bead/plan_frame.h"
 #include "beadmesh/bead/ridge.h"
 #include "beadmesh/bead/shape_letter.h"
 
@@ -79,18 +78,6 @@ BeadKind kind_of(const MedialObject& medial, size_t loops) {
   return BeadKind::generic;
 }
 
-/// The axis as a person sees it, along the normal: the walls widen the flat face while its outline keeps its length, so
-/// that a bend turns less in it than in space.
-Skeleton seen_from_above(Skeleton skeleton, const FaceStudy& study) {
-  if (skeleton.arms.empty()) return skeleton;
-  const Vec2 around = skeleton.arms.front().points.front().point;
-  const PlanFrame frame(study.map.get(), around, normalized(vector_area(study.facets)));
-  for (SkeletonNode& node : skeleton.nodes) node.point = frame.to_plan(node.point);
-  for (SkeletonArm& arm : skeleton.arms)
-    for (MedialPoint& p : arm.points) p.point = frame.to_plan(p.point);
-  return skeleton;
-}
-
 std::vector<RidgeCurve> curves_of(const FaceStudy& study, const RidgeGraph& graph) {
   std::vector<RidgeCurve> curves;
   for (const RidgeArm& arm : graph.arms) {
@@ -162,7 +149,7 @@ Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const
                                     options.min_rise));
   const Skeleton skeleton = skeleton_of(medial);
   bead.kind = kind_of(medial, study.region.loops.size());
-  bead.shape = shape_letter(seen_from_above(skeleton, study));
+  bead.shape = shape_letter(in_plan(study, skeleton));
   bead.ridge = curves_of(study, ridge_of(moved_to_crest(skeleton, *study.map), study.region, study.map.get()));
   const RidgeCurve& longest = *std::max_element(bead.ridge.begin(), bead.ridge.end(), [](auto& a, auto& b) {
     return a.points.size() < b.points.size();

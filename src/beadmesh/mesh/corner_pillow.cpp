@@ -90,7 +90,6 @@ void pillow(PlanarMesh& mesh, const Block& block, const std::vector<std::array<I
 }
 
 struct Relief {
-  Index corner = no_index;
   Block block;
   std::vector<std::array<Index, 2>> outline;
   double before = 0;  ///< worst scaled Jacobian in the block
@@ -101,19 +100,30 @@ class Reliever {
   Reliever(const PlanarMesh& mesh, const SurfaceMap* map, const CornerPillowOptions& options)
       : original_(mesh), map_(map), options_(options), around_(elements_around(mesh)) {}
 
-  /// Blocks of the given depth around the corners; those that touch a block before them wait for the next call.
+  /// Blocks of the given depth around the corners; blocks that touch are one.
   std::vector<Relief> reliefs(const std::vector<Index>& corners, int layers) const {
-    std::vector<Relief> out;
-    std::set<Index> taken;
-    const std::vector<Vec3> space = positions(original_);
+    std::vector<Block> blocks;
     for (Index corner : corners) {
-      Relief relief{corner, block_around(original_, around_, corner, layers), {}, 1};
-      relief.outline = outline_of(original_, relief.block);
-      if (!is_simple_loop(relief.outline) || touches(relief.block, taken) || has_crest(relief.block)) continue;
-      for (Index e : relief.block) {
-        relief.before = std::min(relief.before, scaled_jacobian(space, original_.elements[e]));
-        for (Index n : original_.elements[e]) taken.insert(n);
+      Block block = block_around(original_, around_, corner, layers);
+      for (size_t b = 0; b < blocks.size();) {
+        if (touch(block, blocks[b])) {
+          block.insert(blocks[b].begin(), blocks[b].end());
+          blocks.erase(blocks.begin() + b);
+          b = 0;
+        } else {
+          ++b;
+        }
       }
+      blocks.push_back(std::move(block));
+    }
+    const std::vector<Vec3> space = positions(original_);
+    std::vector<Relief> out;
+    for (Block& block : blocks) {
+      Relief relief{std::move(block), {}, 1};
+      relief.outline = outline_of(original_, relief.block);
+      if (!is_simple_loop(relief.outline) || has_crest(relief.block)) continue;
+      for (Index e : relief.block)
+        relief.before = std::min(relief.before, scaled_jacobian(space, original_.elements[e]));
       out.push_back(std::move(relief));
     }
     return out;
@@ -152,10 +162,13 @@ class Reliever {
     return out;
   }
 
-  bool touches(const Block& block, const std::set<Index>& taken) const {
-    for (Index e : block)
+  bool touch(const Block& a, const Block& b) const {
+    std::set<Index> nodes;
+    for (Index e : a) nodes.insert(original_.elements[e].begin(), original_.elements[e].end());
+    nodes.erase(no_index);
+    for (Index e : b)
       for (Index n : original_.elements[e])
-        if (taken.count(n)) return true;
+        if (nodes.count(n)) return true;
     return false;
   }
 
@@ -195,7 +208,7 @@ int relieve_with(PlanarMesh& mesh, const SurfaceMap* map, const CornerPillowOpti
 
 int relieve_flat_corners(PlanarMesh& mesh, const SurfaceMap* map, const CornerPillowOptions& options) {
   int kept = 0;
-  for (int layers : {2, 3, 4}) kept += relieve_with(mesh, map, options, layers);
+  for (int layers : {2, 3, 4, 5, 6, 1}) kept += relieve_with(mesh, map, options, layers);
   return kept;
 }
 

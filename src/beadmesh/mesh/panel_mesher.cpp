@@ -97,23 +97,21 @@ class PanelMesher {
   }
 
   /// Rings that share loops share the number of elements around: near the size on the mean, and on the shortest loop long
-  /// enough that an island inside it can be meshed in rows, unless the longest loop would get elements over twice the size.
+  /// enough that an island inside it can be meshed in rows.
   int elements_around(const std::vector<Index>& beads) const {
-    double shortest = 1e300, longest = 0, sum = 0;
+    double shortest = 1e300, sum = 0;
     int loops = 0;
     for (Index b : beads)
       for (const auto& loop : chains_.loops[face_of(b)]) {
         double length = 0;
         for (const ChainUse& use : loop) length += chains_.chains[use.chain].length();
         shortest = std::min(shortest, length);
-        longest = std::max(longest, length);
         sum += length;
         ++loops;
       }
     const int wanted = int(std::lround(sum / loops / options_.size));
-    const int roomy = int(shortest / (1.45 * options_.min_edge)), most = int(shortest / (1.12 * options_.min_edge));
-    const int needed = std::min(most, int(std::ceil(longest / (2 * options_.size))));
-    return std::max(8, std::min(wanted, std::max(roomy, needed)) / 2 * 2);
+    const int most = int(shortest / (1.45 * options_.min_edge));
+    return std::max(8, std::min(wanted, most) / 2 * 2);
   }
 
   Index face_of(Index bead) const { return studied_.table.beads[bead].faces[0]; }
