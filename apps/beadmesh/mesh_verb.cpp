@@ -88,7 +88,7 @@ Result<int> run_mesh(const Options& options) {
 
   mesh->mesh.title =
       fmt::format("{}, size {:g} mm, minimum edge {:g} mm", panel->input, sizes.size, sizes.min_edge);
-  const std::vector<Diagnostic> short_of = shortfalls(*panel, *mesh, sizes.min_edge);
+  const std::vector<Diagnostic> short_of = shortfalls(*mesh, sizes.min_edge);
   mesh->table.diagnostics.insert(mesh->table.diagnostics.end(), short_of.begin(), short_of.end());
   if (auto good = check_deck_mesh(mesh->mesh); !good) return tl::make_unexpected(good.error());
   Outputs outputs = outputs_of(options, *panel, *mesh);

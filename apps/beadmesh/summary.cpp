@@ -86,11 +86,21 @@ std::string medial_summary(const std::string& input, const std::vector<FaceMedia
   return text;
 }
 
+namespace {
+/// Elements of a worse shape are named as a shortfall.
+constexpr double least_jacobian = 0.3;
+}  // namespace
+
 std::vector<Diagnostic> shortfalls(const QualitySummary& quality, double min_edge) {
   std::vector<Diagnostic> found;
   if (quality.inverted > 0)
     found.push_back({"quality.inverted", Severity::warning, no_index, "",
                      plural(quality.inverted, "inverted element"), ""});
+  if (quality.inverted == 0 && quality.scaled_jacobian_min < least_jacobian)
+    found.push_back({"quality.jacobian", Severity::warning, no_index, "",
+                     fmt::format("the worst scaled Jacobian is {:.3f}, under {}", quality.scaled_jacobian_min,
+                                 least_jacobian),
+                     ""});
   if (min_edge > 0 && quality.edges_below_min > 0)
     found.push_back({"quality.min_edge", Severity::warning, no_index, "",
                      fmt::format("{} below the minimum of {} mm, the shortest is {:.4f} mm",
@@ -99,20 +109,14 @@ std::vector<Diagnostic> shortfalls(const QualitySummary& quality, double min_edg
   return found;
 }
 
-std::vector<Diagnostic> shortfalls(const Panel& panel, const PanelMesh& mesh, double min_edge) {
+std::vector<Diagnostic> shortfalls(const PanelMesh& mesh, double min_edge) {
   std::vector<Diagnostic> found;
-  for (size_t i = 0; i < mesh.meshing.size() && i < mesh.table.beads.size(); ++i) {
-    if (mesh.meshing[i].method != "fallback") continue;
-    const Bead& bead = mesh.table.beads[i];
-    std::string notes;
-    for (const std::string& note : mesh.meshing[i].notes) notes += ": " + note;
-    found.push_back(
-        {"mesh.fallback", Severity::warning,
-         bead.faces.empty() ? no_index : panel.faces.at(bead.faces[0]).number,
-         fmt::format("bead {}", bead.id),
-         fmt::format("the {} bead {} was meshed by the fall-back{}", name_of(bead.kind), bead.shape, notes),
-         ""});
-  }
+  for (const BeadMeshing& meshing : mesh.meshing)
+    if (meshing.method == "fallback") {
+      // The mesher has named each one already; this line says what it means for the exit status.
+      found.push_back({"mesh.fallback", Severity::note, no_index, "", "some beads were meshed by the fall-back", ""});
+      break;
+    }
   for (Diagnostic& one : shortfalls(mesh.quality, min_edge)) found.push_back(std::move(one));
   return found;
 }

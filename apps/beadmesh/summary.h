@@ -20,7 +20,7 @@ std::string medial_summary(const std::string& input, const std::vector<FaceMedia
 
 /// What a user must know of a run that is done: beads meshed by the fall-back, inverted elements, edges below
 /// `min_edge`. Empty where nothing fell short.
-std::vector<Diagnostic> shortfalls(const Panel& panel, const PanelMesh& mesh, double min_edge);
+std::vector<Diagnostic> shortfalls(const PanelMesh& mesh, double min_edge);
 std::vector<Diagnostic> shortfalls(const QualitySummary& quality, double min_edge);
 
 /// Notes and warnings on standard error, one a line; true where one is an error.

@@ -7,7 +7,7 @@
 
 namespace beadmesh {
 
-/// I arc C S Z L J U G | T Y X H F trident comb ladder tree | ring: the table of docs/bead/shape_letter.md.
+/// I arc C S Z L J U G | T Y X H F trident comb ladder tree | ring: the table of docs/recognition.md.
 std::string shape_letter(const Skeleton& skeleton);
 
 }  // namespace beadmesh

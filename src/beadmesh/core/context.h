@@ -8,7 +8,7 @@
 namespace beadmesh {
 
 struct Context {
-  std::function<void(std::string_view stage, double fraction)> progress;  ///< default: none; called by one thread
+  std::function<void(std::string_view stage, double fraction)> progress;  ///< default: none; may be called by several threads at once
   const std::atomic<bool>* cancelled = nullptr;                           ///< default: never
   int jobs = 0;                                                           ///< default: 0 = all cores
 

@@ -102,6 +102,7 @@ class Picture {
     draw_heading();
     draw_elements();
     draw_crests();
+    draw_axes();
     if (options_.labels) draw_labels();
     draw_legend();
     put("</svg>\n");
@@ -198,6 +199,22 @@ class Picture {
           crest.text());
   }
 
+  /// The medial axes as they are, before squaring and before they move to the crest.
+  void draw_axes() {
+    Path axes;
+    std::vector<Vec2> line;
+    for (const FaceMedial& medial : panel_.table.medials)
+      for (size_t e = 0; e < medial.edge_points.size(); ++e) {
+        line.clear();
+        for (const Vec3& p : medial.edge_points[e]) line.push_back(place(p));
+        axes.polyline(line, medial.object.edges[e].type == MedialEdgeType::N);
+      }
+    if (!axes.empty())
+      put("<path id=\"axes\" transform=\"scale(.01)\" fill=\"none\" stroke=\"#c2185b\" stroke-width=\"110\" "
+          "stroke-linejoin=\"round\" d=\"{}\"/>\n",
+          axes.text());
+  }
+
   void draw_labels() {
     put("<g id=\"labels\" font-size=\"13\" font-weight=\"bold\" text-anchor=\"middle\" fill=\"#14191f\" "
         "stroke=\"#ffffff\" "
@@ -223,6 +240,10 @@ class Picture {
     }
     put("<path d=\"M{:.0f} {:.0f}h26\" stroke=\"#14191f\" stroke-width=\"1.7\"/><text x=\"{:.0f}\" "
         "y=\"{:.0f}\">crest line</text>\n",
+        x, y - 5, x + 32, y);
+    x += 110;
+    put("<path d=\"M{:.0f} {:.0f}h26\" stroke=\"#c2185b\" stroke-width=\"1.1\"/><text x=\"{:.0f}\" "
+        "y=\"{:.0f}\">medial axis</text>\n",
         x, y - 5, x + 32, y);
     const double length = round_length(0.2 * options_.width / frame_.scale()), bar = length * frame_.scale();
     const double end = width_ - margin;

@@ -1,4 +1,4 @@
-// A picture of a meshed panel: its beads by kind, their crest lines, the mesh.
+// A picture of a meshed panel: its beads by kind, their crest lines and medial axes, the mesh.
 #pragma once
 
 #include <string>
