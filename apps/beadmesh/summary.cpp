@@ -114,7 +114,8 @@ std::vector<Diagnostic> shortfalls(const PanelMesh& mesh, double min_edge) {
   for (const BeadMeshing& meshing : mesh.meshing)
     if (meshing.method == "fallback") {
       // The mesher has named each one already; this line says what it means for the exit status.
-      found.push_back({"mesh.fallback", Severity::note, no_index, "", "some beads were meshed by the fall-back", ""});
+      found.push_back(
+          {"mesh.fallback", Severity::note, no_index, "", "some beads were meshed by the fall-back", ""});
       break;
     }
   for (Diagnostic& one : shortfalls(mesh.quality, min_edge)) found.push_back(std::move(one));

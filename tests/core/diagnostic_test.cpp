@@ -8,8 +8,10 @@ namespace beadmesh {
 namespace {
 
 TEST(DiagnosticLine, NamesSeverityCodeFaceEntityMessageAndHint) {
-  const Diagnostic d{"mesh.bead.fallback", Severity::warning, 7, "bead 3", "meshed as an ordinary face", "try a smaller size"};
-  EXPECT_EQ(to_line(d), "warning mesh.bead.fallback: face 7: bead 3: meshed as an ordinary face (try a smaller size)");
+  const Diagnostic d{"mesh.bead.fallback",         Severity::warning,   7, "bead 3",
+                     "meshed as an ordinary face", "try a smaller size"};
+  EXPECT_EQ(to_line(d),
+            "warning mesh.bead.fallback: face 7: bead 3: meshed as an ordinary face (try a smaller size)");
 }
 
 TEST(DiagnosticLine, LeavesOutWhatIsEmpty) {

@@ -31,7 +31,8 @@ TEST(BoundaryRow, NoEdgeOfItIsUnderTheMinimum) {
     add_circle(loops, {0, 0}, 14, nodes);
     const auto row = boundary_row(loops, {5, 2.5});
     if (!row) continue;
-    for (size_t i = 0; i < row->size(); ++i) EXPECT_GE(distance((*row)[i], (*row)[(i + 1) % row->size()]), 2.5);
+    for (size_t i = 0; i < row->size(); ++i)
+      EXPECT_GE(distance((*row)[i], (*row)[(i + 1) % row->size()]), 2.5);
   }
 }
 

@@ -46,9 +46,9 @@ TEST(CornerPillow, RelievesAFlatCorner) {
   EXPECT_EQ(relieve_flat_corners(mesh, nullptr, {5, 2.5}), 1);
   EXPECT_GT(worst_jacobian(mesh), before + 0.05);
   EXPECT_GT(mesh.elements.size(), elements);
-  const int at_corner = int(std::count_if(mesh.elements.begin(), mesh.elements.end(), [](const MeshElement& e) {
-    return std::find(e.begin(), e.end(), 0) != e.end();
-  }));
+  const int at_corner =
+      int(std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                        [](const MeshElement& e) { return std::find(e.begin(), e.end(), 0) != e.end(); }));
   EXPECT_EQ(at_corner, 2);
 }
 

@@ -18,16 +18,16 @@ struct RidgeCurve {
 };
 
 struct Bead {
-  Index id = 0;                 ///< 1-based, in the order of the faces
+  Index id = 0;  ///< 1-based, in the order of the faces
   BeadKind kind = BeadKind::I;
-  std::string shape;            ///< letter or word of the table in docs: I, arc, S, T, comb, ring, ...
-  std::vector<Index> faces;     ///< indices in Panel::faces
-  Vec3 point;                   ///< on the crest
+  std::string shape;         ///< letter or word of the table in docs: I, arc, S, T, comb, ring, ...
+  std::vector<Index> faces;  ///< indices in Panel::faces
+  Vec3 point;                ///< on the crest
   int loops = 1;
-  double length = 0;            ///< total length of the medial edges
-  double width = 0;             ///< mean thickness along them
-  double height = 0;            ///< how far the crest rises over the boundary
-  double aspect_ratio = 0;      ///< mean over the medial edges of length / thickness
+  double length = 0;        ///< total length of the medial edges
+  double width = 0;         ///< mean thickness along them
+  double height = 0;        ///< how far the crest rises over the boundary
+  double aspect_ratio = 0;  ///< mean over the medial edges of length / thickness
   int junctions = 0, ends = 0, medial_edges = 0;
   std::vector<RidgeCurve> ridge;
 };

@@ -18,8 +18,8 @@ struct RejectedFace {
 struct BeadTable {
   std::vector<Bead> beads;
   std::vector<RejectedFace> faces_not_beads;
-  std::vector<FaceMedial> medials;  ///< of the faces that are beads
-  std::vector<Diagnostic> diagnostics;     ///< those of the reader first
+  std::vector<FaceMedial> medials;      ///< of the faces that are beads
+  std::vector<Diagnostic> diagnostics;  ///< those of the reader first
 };
 
 }  // namespace beadmesh

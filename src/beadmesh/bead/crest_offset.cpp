@@ -10,8 +10,8 @@ namespace {
 constexpr double level = 0.93;
 constexpr int samples = 48;
 
-/// Flat offset of the crest from the medial point, to the left of the arm's direction; none where the touching line says
-/// nothing: oblique, or the crest would be far off.
+/// Flat offset of the crest from the medial point, to the left of the arm's direction; none where the
+/// touching line says nothing: oblique, or the crest would be far off.
 std::optional<double> offset_at(const MedialPoint& medial, const SurfaceMap& map) {
   const Vec2 left = medial.feet[0].point, right = medial.feet[1].point;
   if (medial.radius <= 0 || medial.subtended_angle < radians(173)) return std::nullopt;
@@ -48,7 +48,8 @@ std::vector<double> filled(const std::vector<std::optional<double>>& given) {
     if (!given[i]) continue;
     out[i] = *given[i];
     for (int k = before + 1; k < i; ++k)
-      out[k] = before < 0 ? *given[i] : *given[before] + (*given[i] - *given[before]) * (k - before) / (i - before);
+      out[k] = before < 0 ? *given[i]
+                          : *given[before] + (*given[i] - *given[before]) * (k - before) / (i - before);
     before = i;
   }
   for (int k = before + 1; before >= 0 && k < n; ++k) out[k] = *given[before];
@@ -74,7 +75,8 @@ std::vector<double> calmed(const std::vector<double>& values, bool closed) {
 Vec2 left_of(const SkeletonArm& arm, int i) {
   const int n = int(arm.points.size());
   const bool closed = arm.start == no_index;
-  const int before = closed ? (i + n - 1) % n : std::max(i - 1, 0), after = closed ? (i + 1) % n : std::min(i + 1, n - 1);
+  const int before = closed ? (i + n - 1) % n : std::max(i - 1, 0),
+            after = closed ? (i + 1) % n : std::min(i + 1, n - 1);
   return left_normal(normalized(arm.points[after].point - arm.points[before].point));
 }
 

@@ -5,7 +5,8 @@
 namespace beadmesh {
 namespace {
 
-/// Direction in which the boundary leaves its point i, forward or backward, on the exact curve where there is one.
+/// Direction in which the boundary leaves its point i, forward or backward, on the exact curve where there is
+/// one.
 Vec3 boundary_direction(const Panel& panel, const EdgeUse& use, bool at_start) {
   const PanelEdge& edge = panel.edges[use.edge];
   const bool front = at_start != use.reversed;  // of the edge's own points
@@ -54,7 +55,9 @@ std::vector<std::vector<bool>> corners_over(const std::vector<std::vector<double
 
 }  // namespace
 
-Vec3 FaceStudy::lift(Vec2 flat_point) const { return map->surface_point(map->locate(flat_point)); }
+Vec3 FaceStudy::lift(Vec2 flat_point) const {
+  return map->surface_point(map->locate(flat_point));
+}
 
 Result<std::unique_ptr<FaceStudy>> study_faces(const Panel& panel, const std::vector<Index>& faces,
                                                double corner_angle) {

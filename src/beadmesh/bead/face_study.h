@@ -14,12 +14,13 @@ namespace beadmesh {
 
 /// A face laid flat. Not movable, since the map refers to its neighbours: held by pointer.
 struct FaceStudy {
-  std::vector<Index> faces;                 ///< indices in Panel::faces; several for a composite face
+  std::vector<Index> faces;  ///< indices in Panel::faces; several for a composite face
   Facets facets;
   FlatFace flat;
   std::unique_ptr<SurfaceMap> map;
-  PlanarRegion region;                      ///< loop l, segment i runs from facets.loops[l][i] to [i + 1]
-  std::vector<std::vector<double>> joint_angles;  ///< per loop and point: turn of the boundary there, radians; 0 inside edges
+  PlanarRegion region;  ///< loop l, segment i runs from facets.loops[l][i] to [i + 1]
+  std::vector<std::vector<double>>
+      joint_angles;  ///< per loop and point: turn of the boundary there, radians; 0 inside edges
 
   /// Point of the exact surface over a flat point.
   Vec3 lift(Vec2 flat_point) const;

@@ -22,7 +22,8 @@ Vec2 PlanFrame::to_flat(Vec2 plan, Vec2 guess) const {
   if (!map_) return plan;
   for (int i = 0; i < 5; ++i) {
     const Vec2 at = to_plan(guess);
-    const Vec2 u = (to_plan(guess + Vec2{step_, 0}) - at) / step_, v = (to_plan(guess + Vec2{0, step_}) - at) / step_;
+    const Vec2 u = (to_plan(guess + Vec2{step_, 0}) - at) / step_,
+               v = (to_plan(guess + Vec2{0, step_}) - at) / step_;
     const double det = cross(u, v);
     if (std::abs(det) < 0.05) break;  // a wall seen edge on: stay where it still can be told
     const Vec2 miss = plan - at;

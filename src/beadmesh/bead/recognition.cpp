@@ -73,7 +73,8 @@ std::string format(const char* pattern, double a, double b) {
 }
 
 BeadKind kind_of(const MedialObject& medial, size_t loops) {
-  if (medial.edges.size() == 1 && medial.edges[0].type == MedialEdgeType::N && loops == 2) return BeadKind::annular;
+  if (medial.edges.size() == 1 && medial.edges[0].type == MedialEdgeType::N && loops == 2)
+    return BeadKind::annular;
   if (medial.edges.size() == 1 && medial.edges[0].type == MedialEdgeType::SS) return BeadKind::I;
   return BeadKind::generic;
 }
@@ -90,8 +91,8 @@ std::vector<RidgeCurve> curves_of(const FaceStudy& study, const RidgeGraph& grap
   return curves;
 }
 
-/// The skeleton seen from above. The flattened face of a curved, raised bead bends less than the bead does, so letters are
-/// read in plan: along the mean normal of the sheet at the feet.
+/// The skeleton seen from above. The flattened face of a curved, raised bead bends less than the bead does,
+/// so letters are read in plan: along the mean normal of the sheet at the feet.
 Skeleton in_plan(const FaceStudy& study, Skeleton skeleton) {
   const SurfaceMap& map = *study.map;
   Vec3 up;
@@ -99,7 +100,8 @@ Skeleton in_plan(const FaceStudy& study, Skeleton skeleton) {
     for (const MedialPoint& p : arm.points)
       for (const Foot& foot : p.feet) up += map.normal(map.locate(foot.point));
   up = normalized(up);
-  const Vec3 x = normalized(cross(std::abs(up.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, up)), y = cross(up, x);
+  const Vec3 x = normalized(cross(std::abs(up.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, up)),
+             y = cross(up, x);
   const auto seen = [&](Vec2 flat) {
     const Vec3 p = study.lift(flat);
     return Vec2{dot(p, x), dot(p, y)};
@@ -123,8 +125,8 @@ Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options) 
   for (const auto& loop : study.joint_angles)
     for (double angle : loop) sharpest = std::max(sharpest, angle);
   if (sharpest > options.max_joint_angle)
-    return fail("bead.corner", format("its boundary turns by %.1f degrees at a joint, over %.1f", degrees(sharpest),
-                                      degrees(options.max_joint_angle)));
+    return fail("bead.corner", format("its boundary turns by %.1f degrees at a joint, over %.1f",
+                                      degrees(sharpest), degrees(options.max_joint_angle)));
   return {};
 }
 
@@ -140,9 +142,11 @@ Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const
   bead.height = sum.height_integral / sum.length;
   bead.aspect_ratio = sum.ratio_sum / double(medial.edges.size());
   bead.medial_edges = int(medial.edges.size());
-  for (const MedialVertex& v : medial.vertices) ++(v.type == MedialVertexType::J ? bead.junctions : bead.ends);
+  for (const MedialVertex& v : medial.vertices)
+    ++(v.type == MedialVertexType::J ? bead.junctions : bead.ends);
   if (bead.aspect_ratio < options.min_aspect_ratio)
-    return fail("bead.aspect_ratio", format("aspect ratio %.2f < %.2f", bead.aspect_ratio, options.min_aspect_ratio));
+    return fail("bead.aspect_ratio",
+                format("aspect ratio %.2f < %.2f", bead.aspect_ratio, options.min_aspect_ratio));
   const double rise = sum.rise_integral / sum.width_integral;
   if (rise < options.min_rise)
     return fail("bead.flat", format("its crest rises by %.3f of its width over the sheet, under %.3f", rise,
@@ -150,7 +154,8 @@ Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const
   const Skeleton skeleton = skeleton_of(medial);
   bead.kind = kind_of(medial, study.region.loops.size());
   bead.shape = shape_letter(in_plan(study, skeleton));
-  bead.ridge = curves_of(study, ridge_of(moved_to_crest(skeleton, *study.map), study.region, study.map.get()));
+  bead.ridge =
+      curves_of(study, ridge_of(moved_to_crest(skeleton, *study.map), study.region, study.map.get()));
   const RidgeCurve& longest = *std::max_element(bead.ridge.begin(), bead.ridge.end(), [](auto& a, auto& b) {
     return a.points.size() < b.points.size();
   });

@@ -11,15 +11,16 @@ namespace beadmesh {
 struct BeadOptions {
   double min_aspect_ratio = 2.0;         ///< default 2.0: mean length / thickness of the medial edges
   double max_joint_angle = radians(10);  ///< default 10 degrees: sharper joints in a loop are no G1 boundary
-  double min_rise = 0.03;  ///< default 0.03: crest height over the sheet continued below it, per chord; flatter is no bead
+  double min_rise =
+      0.03;  ///< default 0.03: crest height over the sheet continued below it, per chord; flatter is no bead
 };
 
 /// What can be said before the medial object is made: one or two loops, G1 boundary. Fails with the reason
 /// (bead.loops, bead.corner).
 Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options = {});
 
-/// Measures, classifies and names the bead. `id` and the number of the faces are the caller's. Fails with the reason why
-/// the face is no bead: bead.aspect_ratio, bead.flat, bead.no_axis.
+/// Measures, classifies and names the bead. `id` and the number of the faces are the caller's. Fails with the
+/// reason why the face is no bead: bead.aspect_ratio, bead.flat, bead.no_axis.
 Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const BeadOptions& options = {});
 
 }  // namespace beadmesh

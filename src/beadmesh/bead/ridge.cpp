@@ -11,7 +11,8 @@ namespace {
 
 using Polyline = std::vector<Vec2>;
 
-/// Where an arm stands after walking `reach` from one of its ends, and its tangent there, pointing away from that end.
+/// Where an arm stands after walking `reach` from one of its ends, and its tangent there, pointing away from
+/// that end.
 struct Reached {
   Vec2 point;
   Vec2 tangent;
@@ -22,8 +23,8 @@ Polyline oriented(const Polyline& points, bool at_end) {
   return at_end ? Polyline(points.rbegin(), points.rend()) : points;
 }
 
-/// Least-squares direction of the polyline within `window` around the walked length `reach`: the smoothed tangent of
-/// section 4.3 without its dependence on single samples.
+/// Least-squares direction of the polyline within `window` around the walked length `reach`: the smoothed
+/// tangent of section 4.3 without its dependence on single samples.
 Vec2 tangent_around(const Polyline& points, double reach, double window) {
   Vec2 first = points.front(), last = points.front();
   double walked = 0;
@@ -64,7 +65,8 @@ Reached walk(const Polyline& points, double reach) {
 
 std::optional<Vec2> intersection(Vec2 p, Vec2 u, Vec2 q, Vec2 v) {
   const double det = cross(u, v);
-  if (std::abs(det) < 0.2 * norm(u) * norm(v)) return std::nullopt;  // near-parallel lines meet nowhere useful
+  if (std::abs(det) < 0.2 * norm(u) * norm(v))
+    return std::nullopt;  // near-parallel lines meet nowhere useful
   return p + u * (cross(q - p, v) / det);
 }
 
@@ -152,8 +154,8 @@ class RidgeBuilder {
     return ends;
   }
 
-  /// How far the fillets of a junction bend an arm: until the thickness has settled, at least the radius (section 4.3) as
-  /// far as the arm has room.
+  /// How far the fillets of a junction bend an arm: until the thickness has settled, at least the radius
+  /// (section 4.3) as far as the arm has room.
   double reach_of(const std::pair<Index, bool>& end, double radius) const {
     const auto& points = skeleton_.arms[end.first].points;
     const int n = int(points.size());
@@ -200,7 +202,8 @@ class RidgeBuilder {
     if (!target || distance(*target, centre) > node.radius) return;
     node.point = frame.to_flat(*target, node.point);
     node.squared = true;
-    for (size_t k = 0; k < ends.size(); ++k) replace_end(ends[k].first, ends[k].second, reached[k], *target, frame);
+    for (size_t k = 0; k < ends.size(); ++k)
+      replace_end(ends[k].first, ends[k].second, reached[k], *target, frame);
   }
 
   /// Point nearest to all the arms' lines (least squares); none where they miss it by a tenth of the radius.

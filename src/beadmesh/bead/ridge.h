@@ -16,13 +16,13 @@ struct BoundaryPosition {
 };
 
 struct RidgeNode {
-  Vec2 point;                   ///< where the ridge curves meet or end
-  Vec2 medial_point;            ///< the equidistant point before squaring or extension to the tip
-  double radius = 0;            ///< of the inscribed circle at medial_point
-  bool squared = false;         ///< moved by T-junction squaring: no longer equidistant
-  bool tip = false;             ///< an end: `point` lies on the boundary at `boundary`
-  BoundaryPosition boundary;    ///< of a tip
-  std::vector<Index> arms;      ///< as in SkeletonNode
+  Vec2 point;                 ///< where the ridge curves meet or end
+  Vec2 medial_point;          ///< the equidistant point before squaring or extension to the tip
+  double radius = 0;          ///< of the inscribed circle at medial_point
+  bool squared = false;       ///< moved by T-junction squaring: no longer equidistant
+  bool tip = false;           ///< an end: `point` lies on the boundary at `boundary`
+  BoundaryPosition boundary;  ///< of a tip
+  std::vector<Index> arms;    ///< as in SkeletonNode
 };
 
 struct RidgeArm {
@@ -40,10 +40,11 @@ struct RidgeOptions {
   double straight_angle = radians(165);  ///< default 165 degrees: condition 1 of T-junction squaring
 };
 
-/// Arms end at the tips on the boundary. Nodes of three arms are squared where both conditions of section 4.3 hold; other
-/// junctions move to the point where their arms, carried on straight from beyond the fillets, meet best. The reach is the
-/// inscribed radius as in the paper, or further, until the thickness has settled. Straight means straight in space, seen along
-/// the normal of the sheet around the junction; `map` null: the flat plane is the surface.
+/// Arms end at the tips on the boundary. Nodes of three arms are squared where both conditions of section 4.3
+/// hold; other junctions move to the point where their arms, carried on straight from beyond the fillets,
+/// meet best. The reach is the inscribed radius as in the paper, or further, until the thickness has settled.
+/// Straight means straight in space, seen along the normal of the sheet around the junction; `map` null: the
+/// flat plane is the surface.
 RidgeGraph ridge_of(const Skeleton& skeleton, const PlanarRegion& region, const SurfaceMap* map = nullptr,
                     const RidgeOptions& options = {});
 

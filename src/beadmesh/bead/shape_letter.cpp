@@ -52,7 +52,8 @@ ArmShape shape_of(const SkeletonArm& arm) {
   out.thickness = mean_thickness(arm);
   const double step = std::max(out.thickness / 2, out.length / 200);
   const auto points = resampled(arm, step);
-  constexpr double straight = radians(3);  // per window: a radius of ten thicknesses is a curve, less is straight
+  constexpr double straight =
+      radians(3);  // per window: a radius of ten thicknesses is a curve, less is straight
   Bend current;
   const auto close = [&] {
     if (std::abs(current.turn) > radians(15)) out.bends.push_back(current);
@@ -109,7 +110,8 @@ std::string letter_of_arm(const SkeletonArm& arm) {
     both_ways |= (b.turn > 0) != (shape.bends[0].turn > 0);
     sharp += is_sharp(b, shape);
   }
-  if (both_ways && small > radians(12)) return sharp == 2 && shape.bends.size() == 2 && bent < 0.5 * shape.length ? "Z" : "S";
+  if (both_ways && small > radians(12))
+    return sharp == 2 && shape.bends.size() == 2 && bent < 0.5 * shape.length ? "Z" : "S";
   return letter_of_one_way(shape, total);
 }
 
@@ -155,7 +157,8 @@ Vec2 settled_direction(const SkeletonArm& arm, bool at_end, double radius) {
 std::vector<Vec2> directions_from(const Skeleton& skeleton, Index node) {
   std::vector<Vec2> out;
   for (Index a : skeleton.nodes[node].arms)
-    out.push_back(settled_direction(skeleton.arms[a], skeleton.arms[a].end == node, skeleton.nodes[node].radius));
+    out.push_back(
+        settled_direction(skeleton.arms[a], skeleton.arms[a].end == node, skeleton.nodes[node].radius));
   return out;
 }
 
@@ -182,15 +185,14 @@ bool is_end_arm(const Skeleton& skeleton, Index arm) {
 std::string letter_of_two_junctions(const Skeleton& skeleton, const Counts& counts) {
   const Index a = counts.junctions[0], b = counts.junctions[1];
   const Index stem_a = stem_of(skeleton, a), stem_b = stem_of(skeleton, b);
-  const auto joins = [&](Index arm) {
-    return arm != no_index && !is_end_arm(skeleton, arm);
-  };
+  const auto joins = [&](Index arm) { return arm != no_index && !is_end_arm(skeleton, arm); };
   if (joins(stem_a) && joins(stem_b)) return "H";
   const bool teeth = stem_a != no_index && stem_b != no_index && !joins(stem_a) && !joins(stem_b);
   return teeth ? "F" : "tree";
 }
 
-/// A tooth's direction against its spine: which side of the way from the junction to the next one it stands on.
+/// A tooth's direction against its spine: which side of the way from the junction to the next one it stands
+/// on.
 bool teeth_on_one_side(const Skeleton& skeleton, const Counts& counts) {
   Vec2 mean{0, 0};
   std::vector<Vec2> stems;

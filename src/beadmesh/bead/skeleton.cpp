@@ -127,7 +127,8 @@ class Simplifier {
     const auto& around_e = nodes_[e].arms;
     const size_t at_s = std::find(around_s.begin(), around_s.end(), arm) - around_s.begin();
     const size_t at_e = std::find(around_e.begin(), around_e.end(), arm) - around_e.begin();
-    std::vector<Index> merged;  // counter-clockwise about both: the arms of s after the bridge, then those of e
+    std::vector<Index>
+        merged;  // counter-clockwise about both: the arms of s after the bridge, then those of e
     for (size_t k = 1; k < around_s.size(); ++k) merged.push_back(around_s[(at_s + k) % around_s.size()]);
     for (size_t k = 1; k < around_e.size(); ++k) merged.push_back(around_e[(at_e + k) % around_e.size()]);
     nodes_[s].point = lerp(nodes_[s].point, nodes_[e].point, 0.5);
@@ -177,7 +178,8 @@ Skeleton skeleton_of(const MedialObject& medial, const SkeletonOptions& options)
 
 double length_of(const SkeletonArm& arm) {
   double length = 0;
-  for (size_t i = 1; i < arm.points.size(); ++i) length += distance(arm.points[i - 1].point, arm.points[i].point);
+  for (size_t i = 1; i < arm.points.size(); ++i)
+    length += distance(arm.points[i - 1].point, arm.points[i].point);
   if (arm.start == no_index && arm.points.size() > 1)
     length += distance(arm.points.back().point, arm.points.front().point);
   return length;

@@ -26,8 +26,10 @@ struct Skeleton {
 };
 
 struct SkeletonOptions {
-  double spur_length = 0.5;     ///< default 0.5: leaves shorter than this times the thickness at their junction are spurs
-  double merge_distance = 1.0;  ///< default 1.0: junctions nearer than this times their mean thickness are one
+  double spur_length =
+      0.5;  ///< default 0.5: leaves shorter than this times the thickness at their junction are spurs
+  double merge_distance =
+      1.0;  ///< default 1.0: junctions nearer than this times their mean thickness are one
 };
 
 /// Spurs are dropped, nodes of degree 2 dissolved, near junctions merged (their connecting arm vanishes).

@@ -26,8 +26,10 @@ class AnnularBlocks {
   }
 
   Result<BlockLayout> run() {
-    if (loops_[0] == loops_[1]) return fail("blocking.annular.loops", "both feet of the axis lie on one loop");
-    if (!choose_count()) return fail("blocking.annular.prescribed", "its two loops carry different numbers of nodes");
+    if (loops_[0] == loops_[1])
+      return fail("blocking.annular.loops", "both feet of the axis lie on one loop");
+    if (!choose_count())
+      return fail("blocking.annular.prescribed", "its two loops carry different numbers of nodes");
     place_chords();
     if (!chords_advance()) return fail("blocking.annular.feet", "the touching lines cross");
     for (size_t i = 0; i < chords_.size(); ++i) add_edges(i, (i + 1) % chords_.size());
@@ -58,7 +60,8 @@ class AnnularBlocks {
     }
   }
 
-  /// The touching line through prescribed node `index` of the leading side; node 0 is the one nearest to t = 0.
+  /// The touching line through prescribed node `index` of the leading side; node 0 is the one nearest to t =
+  /// 0.
   AxisStation prescribed_station(int lead, int index) {
     if (index == 0) {
       const AxisStation zero = station_at(arm_, 0, loop_lengths_);
@@ -74,7 +77,9 @@ class AnnularBlocks {
     return station;
   }
 
-  static BoundaryPosition& foot(AxisStation& station, int side) { return side == 0 ? station.left : station.right; }
+  static BoundaryPosition& foot(AxisStation& station, int side) {
+    return side == 0 ? station.left : station.right;
+  }
   static BoundaryPosition foot(const AxisStation& station, int side) {
     return side == 0 ? station.left : station.right;
   }
@@ -102,14 +107,17 @@ class AnnularBlocks {
     const int samples = 4 * around_;
     const double loop_length = loop_lengths_[loops_[side]];
     const auto miss = [&](double along) {
-      return std::abs(loop_difference(foot(station_at(arm_, along, loop_lengths_), side).position, target, loop_length));
+      return std::abs(
+          loop_difference(foot(station_at(arm_, along, loop_lengths_), side).position, target, loop_length));
     };
     double best = 0;
     for (int i = 1; i < samples; ++i)
       if (miss(length_ * i / samples) < miss(best)) best = length_ * i / samples;
     for (double step = length_ / samples; step > 1e-6 * length_; step /= 2) {
-      if (miss(best + step) < miss(best)) best += step;
-      else if (miss(best - step) < miss(best)) best -= step;
+      if (miss(best + step) < miss(best))
+        best += step;
+      else if (miss(best - step) < miss(best))
+        best -= step;
     }
     AxisStation station = station_at(arm_, wrapped(best, length_), loop_lengths_);
     foot(station, side).position = target;
@@ -130,8 +138,10 @@ class AnnularBlocks {
     double left = 0, right = 0;
     for (size_t i = 0; i < chords_.size(); ++i) {
       const Chord &a = chords_[i], &b = chords_[(i + 1) % chords_.size()];
-      left += wrapped(vertices[a.left].boundary.position - vertices[b.left].boundary.position, loop_lengths_[loops_[0]]);
-      right += wrapped(vertices[b.right].boundary.position - vertices[a.right].boundary.position, loop_lengths_[loops_[1]]);
+      left += wrapped(vertices[a.left].boundary.position - vertices[b.left].boundary.position,
+                      loop_lengths_[loops_[0]]);
+      right += wrapped(vertices[b.right].boundary.position - vertices[a.right].boundary.position,
+                       loop_lengths_[loops_[1]]);
     }
     return std::abs(left - loop_lengths_[loops_[0]]) < 1e-6 * left &&
            std::abs(right - loop_lengths_[loops_[1]]) < 1e-6 * right;
@@ -167,7 +177,8 @@ class AnnularBlocks {
 
   void add_blocks(const Chord& a, const Chord& b) {
     builder_.add_block({{{a.left, a.middle}, {a.middle, b.middle}, {b.middle, b.left}, {b.left, a.left}}});
-    builder_.add_block({{{a.middle, a.right}, {a.right, b.right}, {b.right, b.middle}, {b.middle, a.middle}}});
+    builder_.add_block(
+        {{{a.middle, a.right}, {a.right, b.right}, {b.right, b.middle}, {b.middle, a.middle}}});
   }
 
   const SkeletonArm& arm_;

@@ -16,8 +16,9 @@ struct AnnularBlockOptions {
   std::vector<std::vector<double>> prescribed;
 };
 
-/// Cut at t = 0, 1/4, 1/2, 3/4 of the closed medial edge; up to six cuts where there are more than 48 elements around.
-/// Fails with blocking.annular.* where both loops are prescribed with different counts or the feet run back.
+/// Cut at t = 0, 1/4, 1/2, 3/4 of the closed medial edge; up to six cuts where there are more than 48
+/// elements around. Fails with blocking.annular.* where both loops are prescribed with different counts or
+/// the feet run back.
 Result<BlockLayout> blocks_of_annular_bead(const Skeleton& skeleton, const PlanarRegion& region,
                                            const AnnularBlockOptions& options);
 

@@ -6,8 +6,10 @@
 namespace beadmesh {
 namespace {
 
-BoundaryPosition foot_between(const Foot& a, const Foot& b, double t, const std::vector<double>& loop_lengths) {
-  if (a.loop != b.loop) return t < 0.5 ? BoundaryPosition{a.loop, a.position} : BoundaryPosition{b.loop, b.position};
+BoundaryPosition foot_between(const Foot& a, const Foot& b, double t,
+                              const std::vector<double>& loop_lengths) {
+  if (a.loop != b.loop)
+    return t < 0.5 ? BoundaryPosition{a.loop, a.position} : BoundaryPosition{b.loop, b.position};
   const double length = loop_lengths[a.loop];
   double at = std::fmod(a.position + t * loop_difference(a.position, b.position, length), length);
   if (at < 0) at += length;
@@ -27,7 +29,9 @@ std::vector<double> loop_lengths_of(const PlanarRegion& region) {
   return lengths;
 }
 
-double loop_difference(double a, double b, double loop_length) { return std::remainder(b - a, loop_length); }
+double loop_difference(double a, double b, double loop_length) {
+  return std::remainder(b - a, loop_length);
+}
 
 std::vector<double> distances_along(const SkeletonArm& arm) {
   std::vector<double> along{0};

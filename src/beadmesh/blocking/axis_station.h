@@ -10,7 +10,7 @@ namespace beadmesh {
 
 /// A touching line: from the left foot over the axis to the right foot.
 struct AxisStation {
-  double along = 0;   ///< distance along the arm from its start
+  double along = 0;  ///< distance along the arm from its start
   Vec2 centre;
   double radius = 0;
   double subtended_angle = 0;  ///< between the directions to the feet, radians

@@ -9,7 +9,8 @@
 namespace beadmesh {
 namespace {
 
-constexpr double opposite_feet = radians(165);  ///< a cut runs across the arm only where its feet face each other
+constexpr double opposite_feet =
+    radians(165);  ///< a cut runs across the arm only where its feet face each other
 constexpr double flat_sector = radians(150);  ///< arms further apart leave a straight far side between them
 
 /// One end of an arm at a junction, seen outward from the junction.
@@ -32,7 +33,8 @@ class ArmLine {
   ArmLine(const SkeletonArm& medial, const RidgeArm& ridge, const std::vector<double>& loop_lengths)
       : medial_(&medial), points_(ridge.points), loop_lengths_(&loop_lengths) {
     at_.push_back(0);
-    for (size_t i = 1; i < points_.size(); ++i) at_.push_back(at_.back() + distance(points_[i - 1], points_[i]));
+    for (size_t i = 1; i < points_.size(); ++i)
+      at_.push_back(at_.back() + distance(points_[i - 1], points_[i]));
     medial_at_ = distances_along(medial);
   }
 
@@ -90,7 +92,11 @@ class BeadBlocks {
  public:
   BeadBlocks(const Skeleton& skeleton, const RidgeGraph& ridge, const PlanarRegion& region,
              const BeadBlockOptions& options)
-      : skeleton_(skeleton), ridge_(ridge), options_(options), builder_(region), loop_lengths_(loop_lengths_of(region)) {
+      : skeleton_(skeleton),
+        ridge_(ridge),
+        options_(options),
+        builder_(region),
+        loop_lengths_(loop_lengths_of(region)) {
     for (size_t a = 0; a < ridge.arms.size(); ++a)
       arms_.emplace_back(skeleton.arms[a], ridge.arms[a], loop_lengths_);
     node_vertex_.assign(ridge.nodes.size(), no_index);
@@ -103,7 +109,8 @@ class BeadBlocks {
       const RidgeNode& node = ridge_.nodes[n];
       if (node.arms.size() == 1 && !node.tip)
         return fail("blocking.tip", "an arm ends without a tip on the boundary");
-      node_vertex_[n] = node.tip ? builder_.add_boundary_vertex(node.boundary) : builder_.add_vertex(node.point);
+      node_vertex_[n] =
+          node.tip ? builder_.add_boundary_vertex(node.boundary) : builder_.add_vertex(node.point);
     }
     for (Index n = 0; n < Index(ridge_.nodes.size()); ++n)
       if (ridge_.nodes[n].arms.size() > 1) place_hub(n);
@@ -153,7 +160,8 @@ class BeadBlocks {
     sector.foot = p;
     if (p.loop == q.loop) {
       const double length = loop_lengths_[p.loop];
-      sector.foot.position = std::fmod(p.position + loop_difference(p.position, q.position, length) / 2 + length, length);
+      sector.foot.position =
+          std::fmod(p.position + loop_difference(p.position, q.position, length) / 2 + length, length);
     }
     return sector;
   }
@@ -166,7 +174,8 @@ class BeadBlocks {
       hub.sectors.push_back(sector_between(hub.ends[i], hub.ends[(i + 1) % k]));
       if (!hub.sectors[i].flat) hub.sectors[i].vertex = builder_.add_boundary_vertex(hub.sectors[i].foot);
     }
-    for (size_t i = 0; i < k; ++i) place_hub_chord(n, hub.ends[i], hub.sectors[(i + k - 1) % k], hub.sectors[i]);
+    for (size_t i = 0; i < k; ++i)
+      place_hub_chord(n, hub.ends[i], hub.sectors[(i + k - 1) % k], hub.sectors[i]);
     hubs_.emplace_back(n, std::move(hub));
   }
 
@@ -188,8 +197,10 @@ class BeadBlocks {
     Chord outward;
     outward.along = along;
     outward.middle = builder_.add_vertex(line.point(along));
-    outward.left = left.flat ? builder_.add_boundary_vertex(end.at_end ? station.right : station.left) : left.vertex;
-    outward.right = right.flat ? builder_.add_boundary_vertex(end.at_end ? station.left : station.right) : right.vertex;
+    outward.left =
+        left.flat ? builder_.add_boundary_vertex(end.at_end ? station.right : station.left) : left.vertex;
+    outward.right =
+        right.flat ? builder_.add_boundary_vertex(end.at_end ? station.left : station.right) : right.vertex;
     (end.at_end ? end_chord_ : start_chord_)[end.arm] = end.at_end ? outward.turned() : outward;
   }
 
@@ -198,8 +209,8 @@ class BeadBlocks {
     return ridge_.nodes[n].tip;
   }
 
-  /// Where the clamp begins (section 4.2): thickness over 2 MEL and r + d over 4 MEL, d from the S vertex. In an end that
-  /// is no true arc the feet near S lie close together: the cut waits until they face each other.
+  /// Where the clamp begins (section 4.2): thickness over 2 MEL and r + d over 4 MEL, d from the S vertex. In
+  /// an end that is no true arc the feet near S lie close together: the cut waits until they face each other.
   double cap_position(Index a, bool at_end) const {
     const ArmLine& line = arms_[a];
     const RidgeNode& node = ridge_.nodes[at_end ? ridge_.arms[a].end : ridge_.arms[a].start];
@@ -241,8 +252,10 @@ class BeadBlocks {
 
   /// No room for a strip: the two ends share one cut.
   Result<void> place_short_arm(Index a, bool start_tip, bool end_tip, double middle) {
-    if (!start_tip && !end_tip) return fail("blocking.short_arm", "two junctions are too near for a block between them");
-    Chord shared = start_tip && end_tip ? chord_on_arm(a, middle) : (start_tip ? end_chord_[a] : start_chord_[a]);
+    if (!start_tip && !end_tip)
+      return fail("blocking.short_arm", "two junctions are too near for a block between them");
+    Chord shared =
+        start_tip && end_tip ? chord_on_arm(a, middle) : (start_tip ? end_chord_[a] : start_chord_[a]);
     add_chord_edges(builder_, shared, options_.elements_across, true);
     start_chord_[a] = end_chord_[a] = shared;
     add_caps(a, start_tip, end_tip);
@@ -258,8 +271,8 @@ class BeadBlocks {
     if (!start_tip) return;
     std::vector<Vec2> crest = line.between(0, start_chord_[a].along);
     std::reverse(crest.begin(), crest.end());
-    add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest, options_.elements_across,
-                options_.cap_scale * options_.size, options_.min_edge);
+    add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest,
+                options_.elements_across, options_.cap_scale * options_.size, options_.min_edge);
   }
 
   /// True where the touching line keeps the order of its neighbours on both boundaries.
@@ -311,8 +324,10 @@ class BeadBlocks {
     builder_.add_edge(from.middle, to.middle, VirtualEdgeKind::ridge, arms_[a].between(from.along, to.along));
     builder_.add_boundary_edge(from.left, to.left, true);
     builder_.add_boundary_edge(from.right, to.right, false);
-    builder_.add_block({{from.left_path, {from.middle, to.middle}, back(to.left_path), {to.left, from.left}}});
-    builder_.add_block({{from.right_path, {from.right, to.right}, back(to.right_path), {to.middle, from.middle}}});
+    builder_.add_block(
+        {{from.left_path, {from.middle, to.middle}, back(to.left_path), {to.left, from.left}}});
+    builder_.add_block(
+        {{from.right_path, {from.right, to.right}, back(to.right_path), {to.middle, from.middle}}});
   }
 
   Chord outward_chord(const ArmEnd& end) const {
@@ -324,7 +339,8 @@ class BeadBlocks {
     std::vector<Vec2> points =
         end.at_end ? line.between(chord.along, line.length()) : line.between(0, chord.along);
     if (!end.at_end) std::reverse(points.begin(), points.end());
-    builder_.add_edge(chord.middle, node_vertex_[n], VirtualEdgeKind::ridge, points, options_.elements_across / 2);
+    builder_.add_edge(chord.middle, node_vertex_[n], VirtualEdgeKind::ridge, points,
+                      options_.elements_across / 2);
   }
 
   void add_hub_blocks(Index n) {
@@ -339,7 +355,10 @@ class BeadBlocks {
   void add_sector_blocks(Index n, const Sector& sector, const Chord& before, const Chord& after) {
     const Index centre = node_vertex_[n];
     if (!sector.flat) {
-      builder_.add_block({{{centre, before.middle}, back(before.left_path), back(after.right_path), {after.middle, centre}}});
+      builder_.add_block({{{centre, before.middle},
+                           back(before.left_path),
+                           back(after.right_path),
+                           {after.middle, centre}}});
       return;
     }
     const int half = options_.elements_across / 2;
@@ -347,11 +366,13 @@ class BeadBlocks {
     const BoundaryPosition b = builder_.layout().vertices[after.right].boundary;
     double forward = std::fmod(b.position - a.position, loop_lengths_[a.loop]);
     if (forward < 0) forward += loop_lengths_[a.loop];
-    const Index far = builder_.add_boundary_vertex({a.loop, std::fmod(a.position + forward / 2, loop_lengths_[a.loop])});
+    const Index far =
+        builder_.add_boundary_vertex({a.loop, std::fmod(a.position + forward / 2, loop_lengths_[a.loop])});
     builder_.add_edge(centre, far, VirtualEdgeKind::inner, {}, half);
     builder_.add_boundary_edge(before.left, far, false, half);
     builder_.add_boundary_edge(far, after.right, false, half);
-    builder_.add_block({{{centre, before.middle}, back(before.left_path), {before.left, far}, {far, centre}}});
+    builder_.add_block(
+        {{{centre, before.middle}, back(before.left_path), {before.left, far}, {far, centre}}});
     builder_.add_block({{{centre, far}, {far, after.right}, back(after.right_path), {after.middle, centre}}});
   }
 
@@ -368,8 +389,8 @@ class BeadBlocks {
 
 }  // namespace
 
-Result<BlockLayout> blocks_of_bead(const Skeleton& skeleton, const RidgeGraph& ridge, const PlanarRegion& region,
-                                   const BeadBlockOptions& options) {
+Result<BlockLayout> blocks_of_bead(const Skeleton& skeleton, const RidgeGraph& ridge,
+                                   const PlanarRegion& region, const BeadBlockOptions& options) {
   for (const RidgeArm& arm : ridge.arms)
     if (arm.start == no_index || arm.points.size() < 2)
       return fail("blocking.arm", "an arm is closed or has no length");

@@ -12,13 +12,14 @@ struct BeadBlockOptions {
   double size = 5;          ///< default 5 mm: target element length
   double min_edge = 2.5;    ///< default 2.5 mm: minimum element length
   int elements_across = 4;  ///< default 4: even
-  double cap_scale = 0.75;  ///< default 0.75: element length in the clamps, times the size; ends curve the most
+  double cap_scale =
+      0.75;  ///< default 0.75: element length in the clamps, times the size; ends curve the most
 };
 
-/// I-beads by the split lines of section 4.2 and the clamp of figure 15a; every arm of a generic bead likewise, its
-/// junctions as hubs: a sector between two arms that stand against each other becomes one block, the far side of a
-/// through bar two. Fails with blocking.* where arms are too short for their hubs.
-Result<BlockLayout> blocks_of_bead(const Skeleton& skeleton, const RidgeGraph& ridge, const PlanarRegion& region,
-                                   const BeadBlockOptions& options);
+/// I-beads by the split lines of section 4.2 and the clamp of figure 15a; every arm of a generic bead
+/// likewise, its junctions as hubs: a sector between two arms that stand against each other becomes one
+/// block, the far side of a through bar two. Fails with blocking.* where arms are too short for their hubs.
+Result<BlockLayout> blocks_of_bead(const Skeleton& skeleton, const RidgeGraph& ridge,
+                                   const PlanarRegion& region, const BeadBlockOptions& options);
 
 }  // namespace beadmesh

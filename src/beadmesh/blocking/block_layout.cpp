@@ -8,7 +8,8 @@ namespace {
 
 double signed_area(const std::vector<Vec2>& polygon) {
   double area = 0;
-  for (size_t i = 0; i < polygon.size(); ++i) area += cross(polygon[i], polygon[(i + 1) % polygon.size()]) / 2;
+  for (size_t i = 0; i < polygon.size(); ++i)
+    area += cross(polygon[i], polygon[(i + 1) % polygon.size()]) / 2;
   return area;
 }
 
@@ -61,8 +62,8 @@ Index BlockLayoutBuilder::find_edge(Index a, Index b) const {
   return no_index;
 }
 
-Index BlockLayoutBuilder::add_edge(Index start, Index end, VirtualEdgeKind kind, const std::vector<Vec2>& inner_points,
-                                   int count) {
+Index BlockLayoutBuilder::add_edge(Index start, Index end, VirtualEdgeKind kind,
+                                   const std::vector<Vec2>& inner_points, int count) {
   const Index known = find_edge(start, end);
   if (known != no_index) return known;
   VirtualEdge edge;
@@ -86,7 +87,8 @@ Index BlockLayoutBuilder::add_boundary_edge(Index start, Index end, bool backwar
   const auto& offsets = offsets_[a.loop];
   const auto& points = region_.loops[a.loop].points;
   const double length = offsets.back();
-  VirtualEdge edge{start, end, VirtualEdgeKind::boundary, {}, a.loop, a.position, b.position, length, {}, count};
+  VirtualEdge edge{start, end,  VirtualEdgeKind::boundary, {}, a.loop, a.position, b.position, length,
+                   {},    count};
   if (!backward && edge.to <= edge.from) edge.to += length;
   if (backward && edge.to >= edge.from) edge.to -= length;
   const double low = std::min(edge.from, edge.to), high = std::max(edge.from, edge.to);

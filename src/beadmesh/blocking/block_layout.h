@@ -1,4 +1,5 @@
-// Four-sided blocks that fill a bead (sections 4.2 to 4.4 of the paper): virtual vertices, virtual edges, blocks.
+// Four-sided blocks that fill a bead (sections 4.2 to 4.4 of the paper): virtual vertices, virtual edges,
+// blocks.
 #pragma once
 
 #include <array>
@@ -23,12 +24,14 @@ struct VirtualVertex {
 struct VirtualEdge {
   Index start = no_index, end = no_index;  ///< vertices
   VirtualEdgeKind kind = VirtualEdgeKind::inner;
-  std::vector<Vec2> points;                ///< from start to end, both included
-  Index loop = no_index;                   ///< boundary: the loop it runs along ...
-  double from = 0, to = 0;                 ///< ... from and to this arc length; to may exceed the loop's length or be negative
-  double loop_length = 0;                  ///< boundary: arc length of the whole loop
-  std::vector<double> prescribed;          ///< boundary: arc lengths of nodes that a neighbour has set, from start to end
-  int count = 0;                           ///< elements along it; 0 until assigned
+  std::vector<Vec2> points;  ///< from start to end, both included
+  Index loop = no_index;     ///< boundary: the loop it runs along ...
+  double from = 0,
+         to = 0;  ///< ... from and to this arc length; to may exceed the loop's length or be negative
+  double loop_length = 0;  ///< boundary: arc length of the whole loop
+  std::vector<double>
+      prescribed;  ///< boundary: arc lengths of nodes that a neighbour has set, from start to end
+  int count = 0;   ///< elements along it; 0 until assigned
 };
 
 /// Virtual edges in a row; edge k is walked against its direction where reversed[k].
@@ -55,8 +58,10 @@ class BlockLayoutBuilder {
 
   Index add_vertex(Vec2 point);
   Index add_boundary_vertex(BoundaryPosition position);
-  /// Straight or along `points` (inner points only). An existing edge between the vertices is returned as it is.
-  Index add_edge(Index start, Index end, VirtualEdgeKind kind, const std::vector<Vec2>& inner_points = {}, int count = 0);
+  /// Straight or along `points` (inner points only). An existing edge between the vertices is returned as it
+  /// is.
+  Index add_edge(Index start, Index end, VirtualEdgeKind kind, const std::vector<Vec2>& inner_points = {},
+                 int count = 0);
   /// Along the loop from one boundary vertex to another, against the loop's direction where `backward`.
   Index add_boundary_edge(Index start, Index end, bool backward, int count = 0);
   /// Each side as the vertices it passes, first and last a corner, head to tail; the edges must exist.

@@ -39,8 +39,8 @@ std::vector<Vec2> inner_part(const std::vector<Vec2>& line, double from_share, d
 
 class CapBuilder {
  public:
-  CapBuilder(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest, int m,
-             double size, double min_edge)
+  CapBuilder(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
+             int m, double size, double min_edge)
       : builder_(builder), chord_(chord), tip_(tip), half_core_((m - 2) / 2) {
     crest_.push_back(builder.point_of(chord.middle));
     crest_.insert(crest_.end(), crest.begin(), crest.end());
@@ -54,8 +54,8 @@ class CapBuilder {
     rows_ = best_rows(size, min_edge);
   }
 
-  /// Rows along the cap: elements near the size both round the arc and along the crest; none under the minimum where that
-  /// is possible.
+  /// Rows along the cap: elements near the size both round the arc and along the crest; none under the
+  /// minimum where that is possible.
   int best_rows(double size, double min_edge) const {
     double crest = 0;
     for (size_t i = 1; i < crest_.size(); ++i) crest += distance(crest_[i - 1], crest_[i]);
@@ -63,7 +63,8 @@ class CapBuilder {
     int best = 1;
     double best_misfit = 1e300;
     for (int p = 1; p <= 40; ++p) {
-      const double round = (left_arc_ + right_arc_) / (2 * (p + std::max(1, half_core_))), along = crest / (p + end_rows);
+      const double round = (left_arc_ + right_arc_) / (2 * (p + std::max(1, half_core_))),
+                   along = crest / (p + end_rows);
       if (p > 1 && std::min(round, along) < 1.12 * min_edge) break;
       const double misfit = std::abs(std::log(round / size)) + std::abs(std::log(along / size));
       if (misfit < best_misfit) {
@@ -93,9 +94,12 @@ class CapBuilder {
     builder_.add_boundary_edge(left_bend, tip_, true, 1);
     builder_.add_boundary_edge(tip_, right_bend, true, 1);
     builder_.add_boundary_edge(right_bend, chord_.right, true);
-    builder_.add_block({{{chord_.middle, tip_}, {tip_, left_bend}, {left_bend, chord_.left}, {chord_.left, chord_.middle}}});
     builder_.add_block(
-        {{{tip_, chord_.middle}, {chord_.middle, chord_.right}, {chord_.right, right_bend}, {right_bend, tip_}}});
+        {{{chord_.middle, tip_}, {tip_, left_bend}, {left_bend, chord_.left}, {chord_.left, chord_.middle}}});
+    builder_.add_block({{{tip_, chord_.middle},
+                         {chord_.middle, chord_.right},
+                         {chord_.right, right_bend},
+                         {right_bend, tip_}}});
   }
 
   void add_with_core() {
@@ -108,7 +112,8 @@ class CapBuilder {
     const Index s = builder_.add_vertex(core_corner(core_end, a, left_arc));
     const Index r = builder_.add_vertex(core_corner(core_end, b, right_arc));
     const auto inner = VirtualEdgeKind::inner;
-    builder_.add_edge(chord_.middle, core_end, VirtualEdgeKind::ridge, inner_part(crest_, 0, core_share), rows_);
+    builder_.add_edge(chord_.middle, core_end, VirtualEdgeKind::ridge, inner_part(crest_, 0, core_share),
+                      rows_);
     builder_.add_edge(core_end, tip_, VirtualEdgeKind::ridge, inner_part(crest_, core_share, 1), 1);
     builder_.add_edge(a, s, inner);
     builder_.add_edge(b, r, inner);

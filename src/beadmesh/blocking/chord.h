@@ -7,8 +7,9 @@
 
 namespace beadmesh {
 
-/// Vertices of a cut; left and right as seen when walking along the arm's own direction. `left_path` runs from left to
-/// middle, `right_path` from middle to right; a cut that carries a cap has one more vertex in each.
+/// Vertices of a cut; left and right as seen when walking along the arm's own direction. `left_path` runs
+/// from left to middle, `right_path` from middle to right; a cut that carries a cap has one more vertex in
+/// each.
 struct Chord {
   double along = 0;  ///< on the ridge arm, from its start
   Index left = no_index, middle = no_index, right = no_index;
@@ -27,8 +28,9 @@ struct Chord {
 /// elements_across >= 4, as the clamp needs it.
 void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_across, bool cap);
 
-/// Adds the clamp of figure 15a (m = elements_across, q = m - 2) beyond a cut whose direction points to the tip.
-/// `tip`: the boundary vertex; `crest`: inner points of the ridge from the cut to the tip. For m = 2 the core vanishes.
+/// Adds the clamp of figure 15a (m = elements_across, q = m - 2) beyond a cut whose direction points to the
+/// tip. `tip`: the boundary vertex; `crest`: inner points of the ridge from the cut to the tip. For m = 2 the
+/// core vanishes.
 void add_end_cap(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
                  int elements_across, double size, double min_edge);
 

@@ -69,7 +69,8 @@ Result<void> assign_counts(BlockLayout& layout, const std::vector<double>& lengt
     for (Index e : group) {
       const int set = layout.edges[e].count;
       if (set && count && set != count)
-        return fail("blocking.counts.contradiction", "opposite sides of a block are given different numbers of elements");
+        return fail("blocking.counts.contradiction",
+                    "opposite sides of a block are given different numbers of elements");
       if (set) count = set;
       of_group.push_back(std::max(lengths[e], 1e-9));
     }
@@ -80,14 +81,16 @@ Result<void> assign_counts(BlockLayout& layout, const std::vector<double>& lengt
   for (const Block& block : layout.blocks)
     for (int k = 0; k < 2; ++k)
       if (set_count(layout, block.sides[k]) != set_count(layout, block.sides[k + 2]))
-        return fail("blocking.counts.unequal", "opposite sides of a block carry different numbers of elements");
+        return fail("blocking.counts.unequal",
+                    "opposite sides of a block carry different numbers of elements");
   return {};
 }
 
 int elements_across(double width, double narrowest, const ElementCountOptions& options) {
   int best = 2;
   for (int m = 4; m * 1.08 * options.min_edge <= narrowest; m += 2)
-    if (std::abs(std::log(width / (m * options.size))) <= std::abs(std::log(width / (best * options.size)))) best = m;
+    if (std::abs(std::log(width / (m * options.size))) <= std::abs(std::log(width / (best * options.size))))
+      best = m;
   return best;
 }
 

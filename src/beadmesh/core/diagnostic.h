@@ -10,7 +10,8 @@ namespace beadmesh {
 
 enum class Severity { note, warning, error };
 
-/// A message that names its entity. `code` is "stage.what" (for example "read.no_faces"), stable across versions.
+/// A message that names its entity. `code` is "stage.what" (for example "read.no_faces"), stable across
+/// versions.
 struct Diagnostic {
   std::string code;
   Severity severity = Severity::error;

@@ -21,29 +21,69 @@ struct Vec3 {
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
-inline Vec2 operator*(Vec2 a, double s) { return {a.x * s, a.y * s}; }
-inline Vec2 operator*(double s, Vec2 a) { return a * s; }
-inline Vec2 operator/(Vec2 a, double s) { return {a.x / s, a.y / s}; }
-inline Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
-inline Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
-inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+inline Vec2 operator+(Vec2 a, Vec2 b) {
+  return {a.x + b.x, a.y + b.y};
+}
+inline Vec2 operator-(Vec2 a, Vec2 b) {
+  return {a.x - b.x, a.y - b.y};
+}
+inline Vec2 operator-(Vec2 a) {
+  return {-a.x, -a.y};
+}
+inline Vec2 operator*(Vec2 a, double s) {
+  return {a.x * s, a.y * s};
+}
+inline Vec2 operator*(double s, Vec2 a) {
+  return a * s;
+}
+inline Vec2 operator/(Vec2 a, double s) {
+  return {a.x / s, a.y / s};
+}
+inline Vec2& operator+=(Vec2& a, Vec2 b) {
+  return a = a + b;
+}
+inline Vec2& operator-=(Vec2& a, Vec2 b) {
+  return a = a - b;
+}
+inline double dot(Vec2 a, Vec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
 /// z component of the cross product: positive where b lies to the left of a.
-inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+inline double cross(Vec2 a, Vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
 /// a turned by +90 degrees.
-inline Vec2 left_normal(Vec2 a) { return {-a.y, a.x}; }
+inline Vec2 left_normal(Vec2 a) {
+  return {-a.y, a.x};
+}
 
-inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
-inline Vec3 operator*(Vec3 a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-inline Vec3 operator*(double s, Vec3 a) { return a * s; }
-inline Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-inline Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
-inline Vec3& operator-=(Vec3& a, Vec3 b) { return a = a - b; }
-inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 operator+(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec3 operator-(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3 operator-(Vec3 a) {
+  return {-a.x, -a.y, -a.z};
+}
+inline Vec3 operator*(Vec3 a, double s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+inline Vec3 operator*(double s, Vec3 a) {
+  return a * s;
+}
+inline Vec3 operator/(Vec3 a, double s) {
+  return {a.x / s, a.y / s, a.z / s};
+}
+inline Vec3& operator+=(Vec3& a, Vec3 b) {
+  return a = a + b;
+}
+inline Vec3& operator-=(Vec3& a, Vec3 b) {
+  return a = a - b;
+}
+inline double dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -71,12 +111,20 @@ V lerp(V a, V b, double t) {
   return a * (1 - t) + b * t;
 }
 /// Unsigned angle between a and b in radians, accurate near 0 and pi.
-inline double angle_between(Vec2 a, Vec2 b) { return std::atan2(std::abs(cross(a, b)), dot(a, b)); }
-inline double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+inline double angle_between(Vec2 a, Vec2 b) {
+  return std::atan2(std::abs(cross(a, b)), dot(a, b));
+}
+inline double angle_between(Vec3 a, Vec3 b) {
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
 
 inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double degrees(double radians) { return radians * (180 / pi); }
-inline constexpr double radians(double degrees) { return degrees * (pi / 180); }
+inline constexpr double degrees(double radians) {
+  return radians * (180 / pi);
+}
+inline constexpr double radians(double degrees) {
+  return degrees * (pi / 180);
+}
 
 /// Corners of a triangle, as indices into an array of points.
 using Triangle = std::array<Index, 3>;

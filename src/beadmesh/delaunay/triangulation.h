@@ -20,9 +20,9 @@ struct Triangulation {
 /// Every edge (a, b) of `loops` (closed, region on the left, outer and holes in any order) becomes an edge of
 /// the result. Points of no loop are free inner points. Exact predicates; O(n log n) in practice; result
 /// independent of rounding and, up to cocircular ties, of the order of points. Based on: divide and conquer
-/// along a Morton curve (Guibas and Stolfi 1985), constraint insertion (Anglada 1997), outside removed by flood
-/// from the loops. Fails (delaunay.*) on fewer than 3 points, duplicates, crossing
-/// constraints, naming the points.
+/// along a Morton curve (Guibas and Stolfi 1985), constraint insertion (Anglada 1997), outside removed by
+/// flood from the loops. Fails (delaunay.*) on fewer than 3 points, duplicates, crossing constraints, naming
+/// the points.
 Result<Triangulation> triangulate(const std::vector<Vec2>& points,
                                   const std::vector<std::vector<Index>>& loops);
 

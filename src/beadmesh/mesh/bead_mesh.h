@@ -18,10 +18,10 @@ struct BoundaryNode {
 
 struct BeadMesh {
   PlanarMesh mesh;
-  std::vector<BoundaryNode> boundary;            ///< every boundary node once
-  std::vector<std::vector<Index>> crest_lines;   ///< nodes along every ridge curve; closed: first == last
-  std::string method;                            ///< "blocks", "ridge" or "fallback"
-  std::vector<std::string> notes;                ///< why an earlier method was left
+  std::vector<BoundaryNode> boundary;           ///< every boundary node once
+  std::vector<std::vector<Index>> crest_lines;  ///< nodes along every ridge curve; closed: first == last
+  std::string method;                           ///< "blocks", "ridge" or "fallback"
+  std::vector<std::string> notes;               ///< why an earlier method was left
 };
 
 }  // namespace beadmesh

@@ -41,7 +41,8 @@ Width width_of(const Skeleton& skeleton) {
   return {length > 0 ? sum / length : least, least};
 }
 
-Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map, const BeadMesherOptions& options) {
+Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map,
+                             const BeadMesherOptions& options) {
   if (!layout) return tl::unexpected(layout.error());
   const auto counted = assign_counts(*layout, edge_lengths(*layout, map), {options.size, options.min_edge});
   if (!counted) return tl::unexpected(counted.error());
@@ -58,13 +59,16 @@ struct Judged {
 /// Smooths and judges. What falls short is said in the failure.
 Result<Judged> finished(Result<BeadMesh> mesh, const SurfaceMap& map, const BeadMesherOptions& options) {
   if (!mesh) return tl::unexpected(mesh.error());
-  const SmoothingReport report = smooth(mesh->mesh, &map, mesh->crest_lines, {options.size, options.min_edge});
+  const SmoothingReport report =
+      smooth(mesh->mesh, &map, mesh->crest_lines, {options.size, options.min_edge});
   if (report.inverted > 0)
     return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
   if (report.edges_below_min > 0)
-    return fail("mesh.bead.min_edge", std::to_string(report.edges_below_min) + " edges under the minimum length");
+    return fail("mesh.bead.min_edge",
+                std::to_string(report.edges_below_min) + " edges under the minimum length");
   if (report.scaled_jacobian_min < acceptable_jacobian)
-    return fail("mesh.bead.jacobian", "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
+    return fail("mesh.bead.jacobian",
+                "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
   return Judged{std::move(*mesh), report.scaled_jacobian_min};
 }
 
@@ -83,24 +87,32 @@ void renumber(BeadMesh& mesh, const std::vector<Index>& renumbered) {
 }
 
 bool is_prescribed(const BeadMesherOptions& options) {
-  return std::any_of(options.prescribed.begin(), options.prescribed.end(), [](const auto& l) { return !l.empty(); });
+  return std::any_of(options.prescribed.begin(), options.prescribed.end(),
+                     [](const auto& l) { return !l.empty(); });
 }
 
 class BeadMesher {
  public:
   BeadMesher(const FaceStudy& study, const MedialObject& medial, const BeadMesherOptions& options)
-      : study_(study), options_(options), skeleton_(skeleton_of(medial)), crest_(moved_to_crest(skeleton_, *study.map)), width_(width_of(skeleton_)) {}
+      : study_(study),
+        options_(options),
+        skeleton_(skeleton_of(medial)),
+        crest_(moved_to_crest(skeleton_, *study.map)),
+        width_(width_of(skeleton_)) {}
 
   Result<BeadMesh> annular() {
     AnnularBlockOptions blocks;
     blocks.prescribed = options_.prescribed;
     double around = 0;
     for (const SkeletonArm& arm : skeleton_.arms) around += length_of(arm);
-    blocks.elements_around =
-        options_.elements_around ? options_.elements_around : std::max(8, 2 * int(std::lround(around / options_.size / 2)));
+    blocks.elements_around = options_.elements_around
+                                 ? options_.elements_around
+                                 : std::max(8, 2 * int(std::lround(around / options_.size / 2)));
     for (int m = across(); m >= 2; m -= 2) {
       blocks.elements_across = m;
-      if (attempt("blocks", [&] { return mesh_layout(blocks_of_annular_bead(crest_, study_.region, blocks), *study_.map, options_); }))
+      if (attempt("blocks", [&] {
+            return mesh_layout(blocks_of_annular_bead(crest_, study_.region, blocks), *study_.map, options_);
+          }))
         return result();
       if (best_) return result();
     }
@@ -108,13 +120,15 @@ class BeadMesher {
   }
 
   Result<BeadMesh> armed() {
-    if (is_prescribed(options_)) return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
+    if (is_prescribed(options_))
+      return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
     for (int m = across(); m >= 2; m -= 2) {
       for (double cap_scale : {0.75, 1.0, 0.6}) {
         const BeadBlockOptions blocks{options_.size, options_.min_edge, m, cap_scale};
         if (attempt("blocks", [&] {
-              return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map, options_);
+              return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map,
+                                 options_);
             }))
           return result();
       }
@@ -125,7 +139,9 @@ class BeadMesher {
   }
 
  private:
-  int across() const { return elements_across(width_.mean, width_.least, {options_.size, options_.min_edge}); }
+  int across() const {
+    return elements_across(width_.mean, width_.least, {options_.size, options_.min_edge});
+  }
 
   /// Keeps the best mesh so far; true where it is good enough to stop.
   bool attempt(const std::string& name, const std::function<Result<BeadMesh>()>& make) {
@@ -155,7 +171,8 @@ class BeadMesher {
 
   Result<BeadMesh> by_ridge() {
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
-    auto mesh = mesh_by_ridge_insertion(ridge, study_.region, *study_.map, {options_.size, options_.min_edge});
+    auto mesh =
+        mesh_by_ridge_insertion(ridge, study_.region, *study_.map, {options_.size, options_.min_edge});
     if (!mesh) return mesh;
     const CleanupReport report =
         clean_up(mesh->mesh, study_.map.get(), crest_edges(*mesh), {options_.size, options_.min_edge});

@@ -17,8 +17,9 @@ struct BeadMesherOptions {
   std::vector<std::vector<double>> prescribed;
 };
 
-/// Blocks first, then ridge insertion; smoothed. Fails where neither gives a mesh without inverted elements and without edges
-/// below min_edge: the caller then meshes the face as an ordinary one. The failure's message holds all reasons.
+/// Blocks first, then ridge insertion; smoothed. Fails where neither gives a mesh without inverted elements
+/// and without edges below min_edge: the caller then meshes the face as an ordinary one. The failure's
+/// message holds all reasons.
 Result<BeadMesh> mesh_bead(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
                            const BeadMesherOptions& options = {});
 

@@ -109,7 +109,8 @@ class BlockMapper {
       grid[j].assign(n, no_index);
       grid[j].front() = left[j];
       grid[j].back() = right[j];
-      for (size_t i = 1; i + 1 < n; ++i) grid[j][i] = add_node(blend(bottom, right, top, left, i, j), NodeFreedom::free);
+      for (size_t i = 1; i + 1 < n; ++i)
+        grid[j][i] = add_node(blend(bottom, right, top, left, i, j), NodeFreedom::free);
     }
     for (size_t j = 0; j + 1 < m; ++j)
       for (size_t i = 0; i + 1 < n; ++i)
@@ -121,7 +122,8 @@ class BlockMapper {
     const auto& p = out_.mesh.nodes;
     const double u = double(i) / double(bottom.size() - 1), v = double(j) / double(left.size() - 1);
     const Vec2 across = lerp(p[left[j]], p[right[j]], u), along = lerp(p[bottom[i]], p[top[i]], v);
-    const Vec2 corners = lerp(lerp(p[bottom.front()], p[bottom.back()], u), lerp(p[top.front()], p[top.back()], u), v);
+    const Vec2 corners =
+        lerp(lerp(p[bottom.front()], p[bottom.back()], u), lerp(p[top.front()], p[top.back()], u), v);
     return across + along - corners;
   }
 
@@ -157,10 +159,12 @@ class BlockMapper {
   }
 
   Index next_ridge(Index vertex, const std::vector<bool>& used) const {
-    if (layout_.vertices[vertex].on_boundary || freedom_of_vertex(vertex) != NodeFreedom::crest) return no_index;
+    if (layout_.vertices[vertex].on_boundary || freedom_of_vertex(vertex) != NodeFreedom::crest)
+      return no_index;
     for (Index e = 0; e < Index(layout_.edges.size()); ++e) {
       const VirtualEdge& edge = layout_.edges[e];
-      if (edge.kind == VirtualEdgeKind::ridge && !used[e] && (edge.start == vertex || edge.end == vertex)) return e;
+      if (edge.kind == VirtualEdgeKind::ridge && !used[e] && (edge.start == vertex || edge.end == vertex))
+        return e;
     }
     return no_index;
   }
@@ -180,6 +184,8 @@ std::vector<double> edge_lengths(const BlockLayout& layout, const SurfaceMap& ma
   return lengths;
 }
 
-BeadMesh map_blocks(const BlockLayout& layout, const SurfaceMap& map) { return BlockMapper(layout, map).run(); }
+BeadMesh map_blocks(const BlockLayout& layout, const SurfaceMap& map) {
+  return BlockMapper(layout, map).run();
+}
 
 }  // namespace beadmesh

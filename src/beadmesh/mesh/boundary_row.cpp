@@ -83,7 +83,8 @@ std::optional<std::vector<Vec2>> boundary_row(const NodeLoops& loops, const Boun
   for (double width : {0.9 * options.size, 0.7 * options.size, 1.1 * options.min_edge}) {
     if (width < least) continue;
     const Polygon inner = offset_by(outer, width);
-    if (edges_keep_length(outer, inner, least) && keeps_clear(inner, loops, width) && leaves_room(inner, options.size))
+    if (edges_keep_length(outer, inner, least) && keeps_clear(inner, loops, width) &&
+        leaves_room(inner, options.size))
       return inner;
   }
   return std::nullopt;

@@ -32,7 +32,8 @@ class ParitySolver {
   }
 
   int natural_count(const Chain& chain) const {
-    const int n = std::clamp(int(std::lround(chain.length() / options_.size)), least_count(chain), most_count(chain));
+    const int n =
+        std::clamp(int(std::lround(chain.length() / options_.size)), least_count(chain), most_count(chain));
     return chain.closed && n % 2 ? changed(chain, n) : n;
   }
 
@@ -106,8 +107,8 @@ class ParitySolver {
 
 }  // namespace
 
-void assign_chain_counts(const ChainSet& chains, const std::vector<bool>& free_faces, std::vector<int>& counts,
-                         const ChainCountOptions& options) {
+void assign_chain_counts(const ChainSet& chains, const std::vector<bool>& free_faces,
+                         std::vector<int>& counts, const ChainCountOptions& options) {
   ParitySolver(chains, free_faces, counts, options).run();
 }
 

@@ -12,10 +12,11 @@ struct ChainCountOptions {
   double min_edge = 2.5;  ///< default 2.5 mm: minimum element length
 };
 
-/// counts[c] > 0 is already set by a bead and stays. The others become length / size, then chains along the cheapest paths
-/// between faces with an odd total (or from one to the outside) change by one, until every face of `free_faces` is even.
-/// (A minimum T-join, taken greedily.) Faces that cannot be made even are left odd.
-void assign_chain_counts(const ChainSet& chains, const std::vector<bool>& free_faces, std::vector<int>& counts,
-                         const ChainCountOptions& options = {});
+/// counts[c] > 0 is already set by a bead and stays. The others become length / size, then chains along the
+/// cheapest paths between faces with an odd total (or from one to the outside) change by one, until every
+/// face of `free_faces` is even. (A minimum T-join, taken greedily.) Faces that cannot be made even are left
+/// odd.
+void assign_chain_counts(const ChainSet& chains, const std::vector<bool>& free_faces,
+                         std::vector<int>& counts, const ChainCountOptions& options = {});
 
 }  // namespace beadmesh

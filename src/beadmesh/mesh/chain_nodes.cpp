@@ -16,7 +16,10 @@ std::vector<double> loop_offsets(const PlanarLoop& loop) {
 }  // namespace
 
 ChainNodes::ChainNodes(const Panel& panel, const ChainSet& chains)
-    : panel_(panel), chains_(chains), nodes_(chains.chains.size()), vertex_nodes_(panel.points.size(), no_index) {
+    : panel_(panel),
+      chains_(chains),
+      nodes_(chains.chains.size()),
+      vertex_nodes_(panel.points.size(), no_index) {
   segments_.resize(panel.faces.size());
   for (Index f = 0; f < Index(panel.faces.size()); ++f) {
     segments_[f].resize(panel.faces[f].facets.loops.size());
@@ -24,7 +27,8 @@ ChainNodes::ChainNodes(const Panel& panel, const ChainSet& chains)
   }
 }
 
-/// The chains of a loop may begin at another point than its polyline does: both run the same way, so one shift fits.
+/// The chains of a loop may begin at another point than its polyline does: both run the same way, so one
+/// shift fits.
 void ChainNodes::match_loop(Index face, Index loop) {
   std::vector<LoopSegment> walk;
   std::vector<std::pair<Index, Index>> ends;
@@ -124,7 +128,8 @@ std::vector<LoopNode> ChainNodes::nodes_of_loop(Index face, Index l, const Plana
   for (size_t i = 0; i < segments.size(); ++i) {
     const Chain& chain = chains_.chains[segments[i].chain];
     if (nodes_[segments[i].chain].empty()) return {};
-    const double low = chain.arc_length[segments[i].segment], high = chain.arc_length[segments[i].segment + 1];
+    const double low = chain.arc_length[segments[i].segment],
+                 high = chain.arc_length[segments[i].segment + 1];
     std::vector<LoopNode> here;
     for (const ChainNode& node : nodes_[segments[i].chain]) {
       // Every segment owns its first point in the loop's direction, so that no node is seen twice.
@@ -137,10 +142,12 @@ std::vector<LoopNode> ChainNodes::nodes_of_loop(Index face, Index l, const Plana
                       offsets[i] + t * (offsets[i + 1] - offsets[i])});
     }
     // A closed chain walked backward starts at its end, which carries its node 0.
-    const bool wraps = segments[i].reversed && chain.closed && segments[i].segment + 2 == Index(chain.points.size());
+    const bool wraps =
+        segments[i].reversed && chain.closed && segments[i].segment + 2 == Index(chain.points.size());
     if (wraps && nodes_[segments[i].chain].front().arc_length == 0)
       here.push_back({nodes_[segments[i].chain].front().id, loop.points[i], offsets[i]});
-    std::sort(here.begin(), here.end(), [](const LoopNode& a, const LoopNode& b) { return a.position < b.position; });
+    std::sort(here.begin(), here.end(),
+              [](const LoopNode& a, const LoopNode& b) { return a.position < b.position; });
     out.insert(out.end(), here.begin(), here.end());
   }
   return out;

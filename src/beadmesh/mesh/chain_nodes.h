@@ -35,8 +35,8 @@ class ChainNodes {
 
   /// Evenly spaced nodes; ends of open chains are shared with the chains that meet there.
   void place_evenly(Index chain, int count);
-  /// Nodes where a bead has put them on its boundary, which must be made of closed chains; returns their ids in the
-  /// order given.
+  /// Nodes where a bead has put them on its boundary, which must be made of closed chains; returns their ids
+  /// in the order given.
   std::vector<Index> place_from_face(Index face, const PlanarRegion& region,
                                      const std::vector<BoundaryPosition>& positions);
 
@@ -59,7 +59,7 @@ class ChainNodes {
   const ChainSet& chains_;
   std::vector<std::vector<ChainNode>> nodes_;  ///< per chain, ascending; open: both ends; closed: none twice
   std::vector<Vec3> points_;
-  std::vector<Index> vertex_nodes_;            ///< per panel point
+  std::vector<Index> vertex_nodes_;  ///< per panel point
   std::vector<std::vector<std::vector<LoopSegment>>> segments_;
 };
 

@@ -23,21 +23,24 @@ std::vector<std::vector<Index>> elements_around(const PlanarMesh& mesh) {
 }
 
 /// Fixed nodes with a single quad that spans a flat angle, ascending.
-std::vector<Index> flat_corners(const PlanarMesh& mesh, const std::vector<std::vector<Index>>& around, double limit) {
+std::vector<Index> flat_corners(const PlanarMesh& mesh, const std::vector<std::vector<Index>>& around,
+                                double limit) {
   std::vector<Index> corners;
   for (size_t n = 0; n < mesh.nodes.size(); ++n) {
     if (mesh.freedom[n] != NodeFreedom::fixed || around[n].size() != 1) continue;
     const MeshElement& element = mesh.elements[around[n][0]];
     const int count = corner_count(element);
     const int k = int(std::find(element.begin(), element.begin() + count, Index(n)) - element.begin());
-    const Vec2 before = mesh.nodes[element[(k + count - 1) % count]], after = mesh.nodes[element[(k + 1) % count]];
+    const Vec2 before = mesh.nodes[element[(k + count - 1) % count]],
+               after = mesh.nodes[element[(k + 1) % count]];
     if (angle_between(before - mesh.nodes[n], after - mesh.nodes[n]) > limit) corners.push_back(Index(n));
   }
   return corners;
 }
 
 /// The corner's quad and `layers` of neighbours over nodes.
-Block block_around(const PlanarMesh& mesh, const std::vector<std::vector<Index>>& around, Index corner, int layers) {
+Block block_around(const PlanarMesh& mesh, const std::vector<std::vector<Index>>& around, Index corner,
+                   int layers) {
   Block block{around[corner].begin(), around[corner].end()};
   for (int layer = 0; layer < layers; ++layer) {
     Block grown = block;

@@ -57,14 +57,16 @@ Result<PlanarMesh> raw_mesh(const NodeLoops& loops, const SurfaceMap& map, const
   const SubdivisionOptions subdivision{options.size, options.min_edge};
   if (const auto row = boundary_row(loops, {options.size, options.min_edge})) {
     const NodeLoops inner = inside_of(loops, *row);
-    if (const auto inside = mesh_by_subdivision(inner, &map, subdivision)) return with_row(loops, inner, *inside);
+    if (const auto inside = mesh_by_subdivision(inner, &map, subdivision))
+      return with_row(loops, inner, *inside);
   }
   return mesh_by_subdivision(loops, &map, subdivision);
 }
 
 }  // namespace
 
-Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map, const FaceMesherOptions& options) {
+Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
+                             const FaceMesherOptions& options) {
   auto mesh = raw_mesh(loops, map, options);
   if (!mesh) return mesh;
   const SmoothingOptions smoothing{options.size, options.min_edge};

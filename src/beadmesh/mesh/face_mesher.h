@@ -13,6 +13,7 @@ struct FaceMesherOptions {
 };
 
 /// Subdivision, topological clean-up, smoothing. Nodes of the loops keep their indices. Fails with mesh.*.
-Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map, const FaceMesherOptions& options = {});
+Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
+                             const FaceMesherOptions& options = {});
 
 }  // namespace beadmesh

@@ -3,8 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <atomic>
+#include <cmath>
 #include <optional>
 
 #include "beadmesh/mesh/bead_mesher.h"
@@ -16,7 +16,8 @@
 namespace beadmesh {
 namespace {
 
-/// Lengths are checked on the facets while meshing, on the exact surface at the end: the difference needs some room.
+/// Lengths are checked on the facets while meshing, on the exact surface at the end: the difference needs
+/// some room.
 constexpr double min_edge_margin = 1.01;
 
 /// The mesh of one face with the way from its nodes to those on the boundary.
@@ -40,7 +41,8 @@ class PanelMesher {
         face_meshes_(panel.faces.size()),
         bead_of_face_(panel.faces.size(), no_index) {
     out_.table = studied.table;
-    for (size_t b = 0; b < studied.table.beads.size(); ++b) bead_of_face_[studied.table.beads[b].faces[0]] = Index(b);
+    for (size_t b = 0; b < studied.table.beads.size(); ++b)
+      bead_of_face_[studied.table.beads[b].faces[0]] = Index(b);
     out_.meshing.resize(studied.table.beads.size());
   }
 
@@ -57,7 +59,8 @@ class PanelMesher {
  private:
   // ---------------------------------------------------------------- beads
 
-  /// Beads that share a chain are done one after the other, in the order of their numbers; groups in parallel.
+  /// Beads that share a chain are done one after the other, in the order of their numbers; groups in
+  /// parallel.
   void mesh_beads() {
     const auto groups = bead_groups();
     std::vector<std::optional<BeadMesh>> meshes(out_.meshing.size());
@@ -92,12 +95,13 @@ class PanelMesher {
     }
     std::vector<std::vector<Index>> groups(n);
     for (Index b = 0; b < n; ++b) groups[group[b]].push_back(b);
-    groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.empty(); }), groups.end());
+    groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.empty(); }),
+                 groups.end());
     return groups;
   }
 
-  /// Rings that share loops share the number of elements around: near the size on the mean, and on the shortest loop long
-  /// enough that an island inside it can be meshed in rows.
+  /// Rings that share loops share the number of elements around: near the size on the mean, and on the
+  /// shortest loop long enough that an island inside it can be meshed in rows.
   int elements_around(const std::vector<Index>& beads) const {
     double shortest = 1e300, sum = 0;
     int loops = 0;
@@ -186,7 +190,8 @@ class PanelMesher {
   void place_remaining_chains() {
     std::vector<int> counts;
     std::vector<bool> free_faces;
-    for (size_t c = 0; c < chains_.chains.size(); ++c) counts.push_back(nodes_.is_set(Index(c)) ? nodes_.count(Index(c)) : 0);
+    for (size_t c = 0; c < chains_.chains.size(); ++c)
+      counts.push_back(nodes_.is_set(Index(c)) ? nodes_.count(Index(c)) : 0);
     const std::vector<int> before = counts;
     for (const auto& mesh : face_meshes_) free_faces.push_back(!mesh.has_value());
     assign_chain_counts(chains_, free_faces, counts, {options_.size, inner_min_edge_});
@@ -198,13 +203,14 @@ class PanelMesher {
     std::vector<std::string> reasons(panel_.faces.size());
     std::atomic<int> done = 0;
     tbb::parallel_for(size_t(0), panel_.faces.size(), [&](size_t f) {
-      if (!face_meshes_[f] && studied_.studies[f] && !context_.is_cancelled()) reasons[f] = mesh_one_face(Index(f));
+      if (!face_meshes_[f] && studied_.studies[f] && !context_.is_cancelled())
+        reasons[f] = mesh_one_face(Index(f));
       context_.report("mesh", double(++done) / double(panel_.faces.size()));
     });
     for (size_t f = 0; f < reasons.size(); ++f) {
       if (!reasons[f].empty())
-        out_.table.diagnostics.push_back({"mesh.face.failed", Severity::error, panel_.faces[f].number, "", reasons[f],
-                                          "the face is missing in the mesh"});
+        out_.table.diagnostics.push_back({"mesh.face.failed", Severity::error, panel_.faces[f].number, "",
+                                          reasons[f], "the face is missing in the mesh"});
       if (bead_of_face_[f] != no_index && out_.meshing[bead_of_face_[f]].method.empty())
         note_fallback(bead_of_face_[f], face_meshes_[f] ? int(face_meshes_[f]->mesh.elements.size()) : 0);
     }
@@ -216,9 +222,9 @@ class PanelMesher {
     meshing.elements = elements;
     std::string why;
     for (const std::string& note : meshing.notes) why += (why.empty() ? "" : "; ") + note;
-    out_.table.diagnostics.push_back({"mesh.bead.fallback", Severity::warning, panel_.faces[face_of(b)].number,
-                                      "bead " + std::to_string(studied_.table.beads[b].id),
-                                      "meshed as an ordinary face: " + why, ""});
+    out_.table.diagnostics.push_back(
+        {"mesh.bead.fallback", Severity::warning, panel_.faces[face_of(b)].number,
+         "bead " + std::to_string(studied_.table.beads[b].id), "meshed as an ordinary face: " + why, ""});
   }
 
   /// Empty where it went well, else the reason.
@@ -254,7 +260,8 @@ class PanelMesher {
       if (face_meshes_[f]) add_face(Index(f), used);
     for (BeadSet& set : shell.beads) {
       std::sort(set.crest_nodes.begin(), set.crest_nodes.end());
-      set.crest_nodes.erase(std::unique(set.crest_nodes.begin(), set.crest_nodes.end()), set.crest_nodes.end());
+      set.crest_nodes.erase(std::unique(set.crest_nodes.begin(), set.crest_nodes.end()),
+                            set.crest_nodes.end());
     }
     std::vector<MeshElement> elements;
     for (const ShellElement& element : shell.elements) elements.push_back(element.nodes);

@@ -1,4 +1,5 @@
-// All faces of a panel: beads first, then boundary chains, then the other faces, conforming everywhere (section 5).
+// All faces of a panel: beads first, then boundary chains, then the other faces, conforming everywhere
+// (section 5).
 #pragma once
 
 #include <memory>
@@ -26,8 +27,8 @@ struct StudiedPanel {
   BeadTable table;                                     ///< one bead a face
 };
 
-/// A bead that defeats its methods is meshed as an ordinary face and named, a face that defeats every mesher is left out and
-/// named. Fails only where no face could be meshed, or when cancelled.
+/// A bead that defeats its methods is meshed as an ordinary face and named, a face that defeats every mesher
+/// is left out and named. Fails only where no face could be meshed, or when cancelled.
 Result<PanelMesh> mesh_studied_panel(const Panel& panel, const StudiedPanel& studied,
                                      const PanelMesherOptions& options, const Context& context = {});
 

@@ -25,7 +25,8 @@ struct BoundaryArc {
 
 double area_of(const NodeRow& cycle, const std::vector<Vec2>& nodes) {
   double area = 0;
-  for (size_t i = 0; i < cycle.size(); ++i) area += cross(nodes[cycle[i]], nodes[cycle[(i + 1) % cycle.size()]]) / 2;
+  for (size_t i = 0; i < cycle.size(); ++i)
+    area += cross(nodes[cycle[i]], nodes[cycle[(i + 1) % cycle.size()]]) / 2;
   return area;
 }
 
@@ -45,7 +46,11 @@ class RidgeInserter {
  public:
   RidgeInserter(const RidgeGraph& ridge, const PlanarRegion& region, const SurfaceMap& map,
                 const RidgeInsertionOptions& options)
-      : ridge_(ridge), map_(map), options_(options), boundary_(region), loop_lengths_(loop_lengths_of(region)) {}
+      : ridge_(ridge),
+        map_(map),
+        options_(options),
+        boundary_(region),
+        loop_lengths_(loop_lengths_of(region)) {}
 
   Result<BeadMesh> run() {
     place_graph_nodes();
@@ -97,7 +102,8 @@ class RidgeInserter {
     const SurfacePolyline line(points, map_);
     const int count = closed ? even_count_for(line.length()) : count_for(line.length(), 1);
     NodeRow row{closed ? add_node(points.front(), NodeFreedom::crest) : graph_node_[arm.start]};
-    for (int i = 1; i < count; ++i) row.push_back(add_node(line.point_at(line.length() * i / count), NodeFreedom::crest));
+    for (int i = 1; i < count; ++i)
+      row.push_back(add_node(line.point_at(line.length() * i / count), NodeFreedom::crest));
     row.push_back(closed ? row.front() : graph_node_[arm.end]);
     out_.crest_lines.push_back(row);
   }
@@ -142,8 +148,8 @@ class RidgeInserter {
     arc.nodes.push_back(whole ? arc.nodes.front() : arc.end);
   }
 
-  /// Every side owns at least one arc: one more node on its longest element makes it even. Ridge edges count on two
-  /// sides, so the sides are traced on a coarse copy with the counts as they are.
+  /// Every side owns at least one arc: one more node on its longest element makes it even. Ridge edges count
+  /// on two sides, so the sides are traced on a coarse copy with the counts as they are.
   void make_sides_even() {
     RidgeInserter trial = *this;
     for (BoundaryArc& arc : trial.arcs_) trial.place_arc(arc);
@@ -163,7 +169,8 @@ class RidgeInserter {
     double best_step = 0;
     for (size_t a = 0; a < arcs_.size(); ++a) {
       const NodeRow& nodes = trial.arcs_[a].nodes;
-      const bool mine = nodes.size() > 2 ? on_side[nodes[1]] : on_side[nodes.front()] && on_side[nodes.back()];
+      const bool mine =
+          nodes.size() > 2 ? on_side[nodes[1]] : on_side[nodes.front()] && on_side[nodes.back()];
       const double step = (arcs_[a].to - arcs_[a].from) / arcs_[a].count;
       if (mine && step > best_step) {
         best_step = step;
@@ -176,7 +183,8 @@ class RidgeInserter {
     arcs_[best].count += room || arcs_[best].count < 3 ? 1 : -1;
   }
 
-  /// Cycles with the face on their left: boundary forward, ridges both ways; at every node the next edge clockwise.
+  /// Cycles with the face on their left: boundary forward, ridges both ways; at every node the next edge
+  /// clockwise.
   std::vector<Side> trace_sides() const {
     std::map<Index, std::vector<Index>> outgoing;
     const auto connect = [&](Index a, Index b) { outgoing[a].push_back(b); };
@@ -230,7 +238,9 @@ class RidgeInserter {
       for (size_t s = 0; s < sides.size(); ++s) {
         const bool shares = std::find(outers[s].begin(), outers[s].end(), hole.front()) != outers[s].end();
         if (shares || !contains(outers[s], out_.mesh.nodes, out_.mesh.nodes[hole.front()])) continue;
-        if (best == sides.size() || area_of(outers[s], out_.mesh.nodes) < area_of(outers[best], out_.mesh.nodes)) best = s;
+        if (best == sides.size() ||
+            area_of(outers[s], out_.mesh.nodes) < area_of(outers[best], out_.mesh.nodes))
+          best = s;
       }
       if (best < sides.size()) sides[best].push_back(hole);
     }
@@ -277,8 +287,8 @@ class RidgeInserter {
 
 }  // namespace
 
-Result<BeadMesh> mesh_by_ridge_insertion(const RidgeGraph& ridge, const PlanarRegion& region, const SurfaceMap& map,
-                                         const RidgeInsertionOptions& options) {
+Result<BeadMesh> mesh_by_ridge_insertion(const RidgeGraph& ridge, const PlanarRegion& region,
+                                         const SurfaceMap& map, const RidgeInsertionOptions& options) {
   for (const RidgeArm& arm : ridge.arms)
     if (arm.points.size() < 2) return fail("mesh.ridge.arm", "a ridge curve has no length");
   return RidgeInserter(ridge, region, map, options).run();

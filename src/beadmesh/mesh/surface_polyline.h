@@ -8,7 +8,8 @@
 
 namespace beadmesh {
 
-/// Arc length on the surface at parameter t in [0, 1] of a flat polyline, and back. t is the share of the flat length.
+/// Arc length on the surface at parameter t in [0, 1] of a flat polyline, and back. t is the share of the
+/// flat length.
 class SurfacePolyline {
  public:
   /// Sampled at least 16 times and at every point.
