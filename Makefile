@@ -2,9 +2,9 @@
 PROGRAM := build/release/apps/beadmesh/beadmesh
 MAKE_PANEL := build/release/examples/make_example_panel
 
-.PHONY: demo test build packages
+.PHONY: demo test build program packages
 
-demo: build
+demo: program
 	@mkdir -p demo
 	$(MAKE_PANEL) floor demo/floor.step
 	$(PROGRAM) mesh demo/floor.step -o demo/floor.bdf --json demo/floor.json --report demo/floor.html; \
@@ -23,6 +23,10 @@ test: build
 build: packages
 	cmake --preset release
 	cmake --build --preset release --parallel "$$(nproc)"
+
+program: packages
+	cmake --preset release
+	cmake --build --preset release --parallel "$$(nproc)" --target beadmesh_app make_example_panel
 
 packages:
 	@scripts/install_packages.sh
