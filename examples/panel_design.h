@@ -56,11 +56,14 @@ struct PanelDesign {
   std::string name;
   double length = 0, width = 0;  ///< mm, along x and y; the panel is centred on the origin
   double corner_radius = 20;
+  PlanLoop boundary;  ///< within length x width; empty: a rounded rectangle
   Base base;
   Flange flange;
   std::vector<Feature> features;
 
-  PlanLoop outline() const { return rounded_rectangle(length, width, corner_radius); }
+  PlanLoop outline() const {
+    return boundary.empty() ? rounded_rectangle(length, width, corner_radius) : boundary;
+  }
   int count(const std::string& kind) const;
 };
 

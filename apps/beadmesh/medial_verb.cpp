@@ -16,11 +16,6 @@
 namespace beadmesh::app {
 namespace {
 
-struct Medials {
-  std::vector<FaceMedial> faces;
-  std::vector<Diagnostic> diagnostics;  ///< of faces that have none, and of the reader
-};
-
 bool is_polygon(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -49,7 +44,7 @@ void lift_flat(FaceMedial& face) {
   }
 }
 
-Result<Medials> of_polygon(const Options& options) {
+Result<PanelMedials> of_polygon(const Options& options) {
   if (options.face > 1) return fail("usage.face", "a plane polygon has one face only", "use --face 1 or all");
   auto region = read_polygon(options.input);
   if (!region) return tl::make_unexpected(region.error());
@@ -60,35 +55,24 @@ Result<Medials> of_polygon(const Options& options) {
   face.region = std::move(*region);
   face.object = std::move(*object);
   lift_flat(face);
-  Medials medials;
+  PanelMedials medials;
   medials.faces.push_back(std::move(face));
   return medials;
 }
 
-bool has_face(const Panel& panel, Index number) {
-  return std::any_of(panel.faces.begin(), panel.faces.end(),
-                     [&](const PanelFace& f) { return f.number == number; });
-}
-
-Result<Medials> of_panel(const Options& options, const Context& context) {
+Result<PanelMedials> of_panel(const Options& options, const Context& context) {
   const auto panel = read_panel(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
-  if (options.face && !has_face(*panel, options.face))
+  std::vector<Index> faces;
+  for (Index i = 0; i < static_cast<Index>(panel->faces.size()); ++i)
+    if (!options.face || panel->faces[i].number == options.face) faces.push_back(i);
+  if (faces.empty())
     return fail("usage.face", fmt::format("there is no face {}", options.face),
                 fmt::format("the panel has {} faces", panel->faces.size()), panel->input);
-  Medials medials;
-  medials.diagnostics = panel->diagnostics;
-  const Index count = static_cast<Index>(panel->faces.size());
-  for (Index i = 0; i < count; ++i) {
-    if (options.face && panel->faces[i].number != options.face) continue;
-    context.report("medial objects", static_cast<double>(i) / count);
-    auto face = medial_of_face(*panel, i);
-    if (face)
-      medials.faces.push_back(std::move(*face));
-    else
-      medials.diagnostics.push_back(face.error());
-  }
-  if (medials.faces.empty()) return tl::make_unexpected(medials.diagnostics.back());
+  PanelMedials medials = medials_of_faces(*panel, faces, context);
+  if (medials.faces.empty()) return tl::make_unexpected(medials.diagnostics.front());
+  medials.diagnostics.insert(medials.diagnostics.begin(), panel->diagnostics.begin(),
+                             panel->diagnostics.end());
   return medials;
 }
 
@@ -96,16 +80,20 @@ Result<Medials> of_panel(const Options& options, const Context& context) {
 
 Result<int> run_medial(const Options& options) {
   ProgressBar bar;
-  const auto medials = is_polygon(options.input) ? of_polygon(options) : of_panel(options, bar.context(0));
+  const auto medials =
+      is_polygon(options.input) ? of_polygon(options) : of_panel(options, bar.context(options.settings.jobs));
   if (!medials) return tl::make_unexpected(medials.error());
   bar.clear();
 
   const std::string name = options.input.filename().string();
   Outputs outputs;
-  outputs.add(options.outputs.json, [&](std::ostream& out) { out << medial_json(medials->faces); });
-  outputs.add(options.outputs.svg, [&](std::ostream& out) { out << medial_svg(medials->faces, name); });
+  outputs.add(options.outputs.json,
+              [&](std::ostream& out) { write_medial_json(out, medials->faces, medials->images); });
+  outputs.add(options.outputs.svg, [&](std::ostream& out) {
+    out << medial_svg(medials->faces, name, {options.feet, medials->images});
+  });
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
-  if (!outputs.uses_stdout()) fmt::print("{}", medial_summary(name, medials->faces));
+  if (!outputs.uses_stdout()) fmt::print("{}", medial_summary(name, medials->faces, medials->images));
   return print_diagnostics(medials->diagnostics) ? fell_short : done;
 }
 

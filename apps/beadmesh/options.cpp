@@ -16,6 +16,7 @@ namespace {
 struct RawOptions {
   std::string input, config, face = "all";
   OutputNames outputs;
+  bool feet = false;
   SettingsLayer flags;
 };
 
@@ -58,6 +59,9 @@ void add_medial(CLI::App& app, RawOptions& raw) {
   verb.add_option("--face", raw.face, "number of the face, or all (default all)");
   verb.add_option("--json", raw.outputs.json, "medial object as JSON; - for standard output");
   verb.add_option("--svg", raw.outputs.svg, "picture: .svg");
+  verb.add_flag("--feet", raw.feet, "show lines from the axis to its touching points in the picture");
+  verb.add_option("--config", raw.config, "settings from a TOML file; options given here win");
+  verb.add_option("--jobs", raw.flags.jobs, "threads (default: all cores)");
   add_unit(verb, raw);
 }
 
@@ -107,6 +111,7 @@ Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
     if (app.got_subcommand(name)) options.verb = verb;
   options.input = raw.input;
   options.outputs = raw.outputs;
+  options.feet = raw.feet;
   options.has_size = raw.flags.size.has_value();
   options.has_min_edge = raw.flags.min_edge.has_value();
   const auto face = face_number(raw.face);

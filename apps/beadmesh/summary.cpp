@@ -65,11 +65,13 @@ std::string quality_summary(const QualitySummary& q) {
       q.edges_below_min);
 }
 
-std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces) {
+std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces,
+                           const std::vector<PlaneImage>& images) {
   std::string text = fmt::format("{}: medial object of {}\n", input, plural(faces.size(), "face"));
   text += fmt::format("{:>6} {:>6} {:>6} {:>10} {:>24}  vertices\n", "face", "loops", "edges", "length",
                       "thickness");
-  for (const FaceMedial& face : faces) {
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const FaceMedial& face = faces[i];
     double length = 0, low = 0, high = 0, area = 0;
     for (const MedialEdge& edge : face.object.edges) {
       low = length > 0 ? std::min(low, edge.thickness.min) : edge.thickness.min;
@@ -77,11 +79,13 @@ std::string medial_summary(const std::string& input, const std::vector<FaceMedia
       length += edge.length, area += edge.length * edge.thickness.mean;
     }
     text += fmt::format(
-        "{:>6} {:>6} {:>6} {:>10.2f} {:>24}  {}\n", face.face, face.object.loops, face.object.edges.size(),
+        "{:>6} {:>6} {:>6} {:>10.2f} {:>24} {}{}\n", face.face, face.object.loops, face.object.edges.size(),
         length, fmt::format("{:.2f} / {:.2f} / {:.2f}", low, length > 0 ? area / length : 0.0, high),
         count_of(face.object, MedialVertexType::J, "J") + count_of(face.object, MedialVertexType::C, "C") +
             count_of(face.object, MedialVertexType::S, "S") +
-            count_of(face.object, MedialVertexType::isolated, " isolated"));
+            count_of(face.object, MedialVertexType::isolated, " isolated"),
+        i < images.size() && images[i].is_cut() ? fmt::format("; cut open over {:.2f}", images[i].cut_length)
+                                                : "");
   }
   return text;
 }

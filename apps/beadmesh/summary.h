@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beadmesh/flatten/cut_open.h"
 #include "beadmesh/mesh/panel_mesh.h"
 #include "beadmesh/panel/panel.h"
 
@@ -15,8 +16,10 @@ std::string bead_summary(const Panel& panel, const BeadTable& table,
                          const std::vector<BeadMeshing>& meshing = {});
 /// Counts, quality and edges, a line each.
 std::string quality_summary(const QualitySummary& quality);
-/// A line per face: loops, vertices by type, edges, length, thickness.
-std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces);
+/// A line per face: loops, vertices by type, edges, length, thickness; `images`: which faces were cut open
+/// (none for a plane polygon).
+std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces,
+                           const std::vector<PlaneImage>& images = {});
 
 /// What a user must know of a run that is done: beads meshed by the fall-back, inverted elements, edges below
 /// `min_edge`. Empty where nothing fell short.

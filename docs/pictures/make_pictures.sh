@@ -42,5 +42,35 @@ png comb_medial 1200
 "$beadmesh" medial basic.step --face 1 --svg sheet_medial.svg
 png sheet_medial 1200
 printf 'POLYGON((0 0, 100 0, 100 20, 70 20, 70 60, 50 60, 50 20, 0 20), (10 6, 30 6, 30 14, 10 14))' > corners.wkt
-"$beadmesh" medial corners.wkt --svg corners_medial.svg
+"$beadmesh" medial corners.wkt --feet --svg corners_medial.svg
 png corners_medial 1200
+
+# outline NAME FILE WIDTH OPTION...: the medial object of an example outline.
+outline() {
+  name=$1 file=$2 width=$3
+  shift 3
+  "$build/examples/make_example_outline" "$name" "$file"
+  picture=$(printf '%s' "$name" | tr - _)_medial
+  "$beadmesh" medial "$file" --svg "$picture.svg" "$@"
+  png "$picture" "$width"
+}
+outline spiral-bowl spiral-bowl.step 1000
+outline gasket gasket.wkt 1200
+outline circuit-board circuit-board.wkt 1300
+outline door door.step 1300
+
+# A tube with a hole, cut open: facets as an STL file.
+awk 'BEGIN {
+  n = 72; rows = 24; r = 20; pi = atan2(0, -1); print "solid tube"
+  for (j = 0; j < rows; ++j) for (i = 0; i < n; ++i) {
+    if (i >= 20 && i < 34 && j >= 9 && j < 17) continue
+    triangle(i, j, i + 1, j, i + 1, j + 1); triangle(i, j, i + 1, j + 1, i, j + 1)
+  }
+  print "endsolid tube"
+}
+function vertex(i, j) { i %= n; printf "vertex %.9f %.9f %.9f\n", r * cos(2 * pi * i / n), r * sin(2 * pi * i / n), 60 * j / rows }
+function triangle(a, b, c, d, e, f) {
+  print "facet normal 0 0 0\nouter loop"; vertex(a, b); vertex(c, d); vertex(e, f); print "endloop\nendfacet"
+}' > tube.stl
+"$beadmesh" medial tube.stl --svg tube_medial.svg
+png tube_medial 900

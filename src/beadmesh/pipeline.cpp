@@ -1,9 +1,11 @@
 #include "beadmesh/pipeline.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <atomic>
+#include <cmath>
 #include <optional>
 
 #include "beadmesh/bead/face_study.h"
@@ -41,7 +43,7 @@ FaceOutcome study_one(const Panel& panel, Index face, const BeadOptions& options
     out.reason = boundary.error().message;
     return out;
   }
-  auto medial = medial_object(out.study->region);
+  auto medial = medial_object_of_bead(out.study->region);
   if (!medial) {
     out.reason = "no medial object: " + medial.error().message;
     out.diagnostic = at_face(medial.error(), panel, face, Severity::warning);
@@ -54,6 +56,11 @@ FaceOutcome study_one(const Panel& panel, Index face, const BeadOptions& options
   else
     out.reason = bead.error().message;
   return out;
+}
+
+/// "12 %" of the stretch 1.12.
+std::string percent(double stretch) {
+  return std::to_string(std::lround(100 * (stretch - 1))) + " %";
 }
 
 FaceMedial lifted(const FaceStudy& study, const MedialObject& medial, Index number) {
@@ -75,6 +82,45 @@ FaceMedial lifted(const FaceStudy& study, const MedialObject& medial, Index numb
     }
   }
   return out;
+}
+
+struct OpenedMedial {
+  FaceMedial medial;
+  PlaneImage image;
+};
+
+Result<OpenedMedial> opened_medial(const Panel& panel, Index face) {
+  auto study = study_opened_face(panel, face);
+  if (!study) {
+    Diagnostic problem = at_face(study.error(), panel, face, Severity::error);
+    if (problem.hint.empty() || problem.code == "flatten.not_a_disc")
+      problem.hint = "split the face into simpler ones";
+    return tl::unexpected(std::move(problem));
+  }
+  const FaceStudy& s = **study;
+  const auto medial = medial_object(s.region);
+  if (!medial) {
+    Diagnostic problem = at_face(medial.error(), panel, face, Severity::error);
+    if (problem.hint.empty()) problem.hint = "split the face, or repair its boundary";
+    return tl::unexpected(std::move(problem));
+  }
+  return OpenedMedial{lifted(s, *medial, panel.faces[face].number),
+                      {s.flat.distortion, cut_length(s), s.cut_sides}};
+}
+
+/// A plane image stretched by more than this in the mean no longer shows the thicknesses of the face.
+constexpr double telling_stretch = 1.1;
+
+std::optional<Diagnostic> distortion_warning(const PlaneImage& image, Index number) {
+  const Distortion& d = image.distortion;
+  if (d.mean_stretch <= telling_stretch) return std::nullopt;
+  return Diagnostic{"flatten.distorted",
+                    Severity::warning,
+                    number,
+                    "",
+                    "the plane image is stretched by " + percent(d.mean_stretch) + " in the mean, by " +
+                        percent(d.max_stretch) + " at most: thicknesses are those of the plane",
+                    "split the face for truer ones"};
 }
 
 /// All faces in parallel; the table in the order of the faces.
@@ -130,11 +176,36 @@ Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const B
 }
 
 Result<FaceMedial> medial_of_face(const Panel& panel, Index face) {
-  const auto study = study_faces(panel, {face});
-  if (!study) return tl::unexpected(at_face(study.error(), panel, face, Severity::error));
-  const auto medial = medial_object((*study)->region);
-  if (!medial) return tl::unexpected(at_face(medial.error(), panel, face, Severity::error));
-  return lifted(**study, *medial, panel.faces[face].number);
+  auto opened = opened_medial(panel, face);
+  if (!opened) return tl::unexpected(opened.error());
+  return std::move(opened->medial);
+}
+
+PanelMedials medials_of_faces(const Panel& panel, const std::vector<Index>& faces, const Context& context) {
+  const JobLimit limit(context.jobs);
+  std::vector<std::optional<Result<OpenedMedial>>> outcomes(faces.size());
+  std::atomic<size_t> done = 0;
+  tbb::parallel_for(tbb::blocked_range<size_t>(0, faces.size(), 1),
+                    [&](const tbb::blocked_range<size_t>& range) {
+                      for (size_t i = range.begin(); i < range.end(); ++i) {
+                        if (!context.is_cancelled()) outcomes[i] = opened_medial(panel, faces[i]);
+                        context.report("medial objects", double(++done) / double(faces.size()));
+                      }
+                    });
+  PanelMedials all;
+  for (size_t i = 0; i < faces.size(); ++i) {
+    if (!outcomes[i]) continue;
+    Result<OpenedMedial>& outcome = *outcomes[i];
+    if (!outcome) {
+      all.diagnostics.push_back(outcome.error());
+      continue;
+    }
+    if (auto warning = distortion_warning(outcome->image, outcome->medial.face))
+      all.diagnostics.push_back(std::move(*warning));
+    all.faces.push_back(std::move(outcome->medial));
+    all.images.push_back(std::move(outcome->image));
+  }
+  return all;
 }
 
 }  // namespace beadmesh

@@ -9,6 +9,7 @@
 #include "beadmesh/bead/recognition.h"
 #include "beadmesh/core/context.h"
 #include "beadmesh/core/result.h"
+#include "beadmesh/flatten/cut_open.h"
 #include "beadmesh/medial/face_medial.h"
 #include "beadmesh/mesh/panel_mesh.h"
 #include "beadmesh/panel/panel.h"
@@ -28,7 +29,21 @@ BeadTable recognise_beads(const Panel& panel, const BeadOptions& options = {}, c
 Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const BeadOptions& options = {},
                              const Context& context = {});
 
-/// The medial object of any face (index in Panel::faces).
+/// Medial objects of faces of a panel, and how each face came into the plane.
+struct PanelMedials {
+  std::vector<FaceMedial> faces;   ///< of the faces that have one, in the order asked for
+  std::vector<PlaneImage> images;  ///< of each: distortion, and where it was cut open
+  /// An error for each face that has none; a warning where the plane image is so distorted that thicknesses
+  /// are off.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// The medial object of any face (index in Panel::faces): large, curved, closed. A face that closes around
+/// itself (tube, cone, torus, ...) is cut open; the sides of the cut are boundary then.
 Result<FaceMedial> medial_of_face(const Panel& panel, Index face);
+
+/// Those of several faces (indices in Panel::faces), in parallel; never fails for a single face.
+PanelMedials medials_of_faces(const Panel& panel, const std::vector<Index>& faces,
+                              const Context& context = {});
 
 }  // namespace beadmesh

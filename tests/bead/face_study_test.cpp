@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bead/studied_bead.h"
 #include "beadmesh/panel/panel.h"
@@ -72,6 +73,75 @@ TEST(FaceStudy, FaceWithoutFacetsIsRefused) {
   const auto study = study_faces(panel, {0});
   ASSERT_FALSE(study);
   EXPECT_EQ(study.error().code.substr(0, 8), "flatten.");
+}
+
+/// A tube about z, radius 10 and height 30, of one face: two closed edges and the seam between them.
+Panel tube() {
+  constexpr Index columns = 24, rows = 6;
+  Panel panel;
+  for (Index j = 0; j <= rows; ++j)
+    for (Index i = 0; i < columns; ++i) {
+      const double a = 2 * pi * i / columns;
+      panel.points.push_back({10 * std::cos(a), 10 * std::sin(a), 30.0 * j / rows});
+    }
+  panel.edges.resize(3);
+  for (Index i = 0; i <= columns; ++i) {
+    panel.edges[0].points.push_back(i % columns);
+    panel.edges[1].points.push_back(rows * columns + i % columns);
+  }
+  for (Index j = 0; j <= rows; ++j) panel.edges[2].points.push_back(j * columns);
+  panel.edges[0].faces = panel.edges[1].faces = {0};
+  panel.edges[2].faces = {0, 0};
+  PanelFace face;
+  face.number = 1;
+  face.loops = {{{0, false}, {2, false}, {1, true}, {2, true}}};
+  Facets& facets = face.facets;
+  for (Index j = 0; j <= rows; ++j)
+    for (Index i = 0; i <= columns; ++i) {
+      facets.panel_points.push_back(j * columns + i % columns);
+      facets.points.push_back(panel.points[facets.panel_points.back()]);
+    }
+  for (Index j = 0; j < rows; ++j)
+    for (Index i = 0; i < columns; ++i) {
+      const Index a = j * (columns + 1) + i, b = a + 1, c = a + columns + 1, d = c + 1;
+      facets.triangles.push_back({a, b, d});
+      facets.triangles.push_back({a, d, c});
+    }
+  facets.triangle_face.assign(facets.triangles.size(), 0);
+  std::vector<Index>& loop = facets.loops.emplace_back();
+  for (Index i = 0; i < columns; ++i) loop.push_back(i);
+  for (Index j = 0; j < rows; ++j) loop.push_back(j * (columns + 1) + columns);
+  for (Index i = columns; i > 0; --i) loop.push_back(rows * (columns + 1) + i);
+  for (Index j = rows; j > 0; --j) loop.push_back(j * (columns + 1));
+  panel.faces.push_back(std::move(face));
+  return panel;
+}
+
+TEST(FaceStudy, OpenedTubeHasFourCornersAndTheSidesOfItsCut) {
+  const Panel panel = tube();
+  ASSERT_EQ(verify_panel(panel), std::vector<std::string>{});
+  const auto study = study_opened_face(panel, 0);
+  ASSERT_TRUE(study);
+  const FaceStudy& s = **study;
+  EXPECT_NEAR(cut_length(s), 30, 1e-9);
+  ASSERT_EQ(s.region.loops.size(), 1);
+  const auto& corner = s.region.loops[0].corner;
+  EXPECT_EQ(std::count(corner.begin(), corner.end(), true), 4);
+  EXPECT_EQ(std::count(s.cut_sides[0].begin(), s.cut_sides[0].end(), true), 2 * 6);
+  for (size_t i = 0; i < corner.size(); ++i) EXPECT_NEAR(s.joint_angles[0][i], corner[i] ? pi / 2 : 0, 0.02);
+}
+
+TEST(FaceStudy, OpenedFaceWithoutASeamIsTheStudiedOne) {
+  const Panel panel = plate();
+  for (const Index face : {0, 1}) {
+    const auto opened = study_opened_face(panel, face), plain = study_faces(panel, {face});
+    ASSERT_TRUE(opened && plain);
+    EXPECT_TRUE((*opened)->cut_sides.empty());
+    EXPECT_EQ((*opened)->flat.positions, (*plain)->flat.positions);
+    EXPECT_EQ((*opened)->joint_angles, (*plain)->joint_angles);
+    for (size_t l = 0; l < (*plain)->region.loops.size(); ++l)
+      EXPECT_EQ((*opened)->region.loops[l].corner, (*plain)->region.loops[l].corner);
+  }
 }
 
 }  // namespace

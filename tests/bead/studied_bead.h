@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bead/plan_panel.h"
+#include "beadmesh/bead/recognition.h"
 #include "beadmesh/bead/skeleton.h"
-#include "beadmesh/medial/medial_object.h"
 
 namespace beadmesh::shapes {
 
@@ -22,7 +22,7 @@ struct StudiedBead {
 inline StudiedBead studied_face(const Panel& panel, Index face) {
   auto study = study_faces(panel, {face});
   if (!study) throw std::runtime_error(study.error().message);
-  auto medial = medial_object((*study)->region);
+  auto medial = medial_object_of_bead((*study)->region);
   if (!medial) throw std::runtime_error(medial.error().message);
   return {std::move(*study), std::move(*medial)};
 }
@@ -62,7 +62,7 @@ inline PlanarRegion region_of(const Footprint& footprint, double spacing = 2) {
 }
 
 inline MedialObject medial_of(const PlanarRegion& region) {
-  auto medial = medial_object(checked_region(region).value());
+  auto medial = medial_object_of_bead(checked_region(region).value());
   if (!medial) throw std::runtime_error(medial.error().message);
   return *medial;
 }

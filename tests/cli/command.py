@@ -78,7 +78,7 @@ class Case(unittest.TestCase):
         return path
 
     def assert_refused(self, *arguments, names=None):
-        """Exit status 2, one line on stderr that holds `names`, nothing on stdout, no file made or changed."""
+        """Exit status 2, one line on stderr that holds `names`, nothing on stdout, no file made or changed. Returns the line."""
         before = self.contents()
         result = run(*arguments)
         self.assertEqual(2, result.returncode, result.stderr)
@@ -88,6 +88,7 @@ class Case(unittest.TestCase):
             self.assertIn(str(names), lines[0])
         self.assertEqual("", result.stdout)
         self.assertEqual(before, self.contents())
+        return lines[0]
 
     def contents(self):
         return {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}

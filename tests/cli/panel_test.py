@@ -1,5 +1,6 @@
 """The verbs on example panels: files, tables, kinds, determinism."""
 import json
+import math
 import unittest
 
 from command import Case, contains, example, run, truth
@@ -170,11 +171,52 @@ class MedialObject(Case):
         faces = self.medial(example("basic"))
         self.assertEqual(list(range(1, 8)), [f["face"] for f in faces])
 
+    def test_of_a_tube_that_is_cut_open(self):
+        [face] = self.medial(self.file("tube.stl", tube(radius=10, length=30, facets=48)))
+        self.assertEqual(1, face["loops"])
+        self.assertAlmostEqual(30, face["plane_image"]["cut_length"], delta=1e-3)
+        self.assertEqual(2, len(face["plane_image"]["cut_sides"]))
+        self.assertAlmostEqual(1, face["plane_image"]["distortion"]["max_ratio"], delta=1e-3)
+        self.assertEqual(4, sum(v["type"] == "C" for v in face["vertices"]))
+        self.assertAlmostEqual(30, max(e["thickness"]["max"] for e in face["edges"]), delta=0.01)
+        for vertex in face["vertices"]:  # back on the tube
+            self.assertAlmostEqual(10, math.hypot(*vertex["point"][:2]), delta=0.05)
+
+    def test_the_summary_names_the_cut(self):
+        result = run("medial", self.file("tube.stl", tube(radius=10, length=30, facets=48)))
+        self.assertIn("cut open over 30.00", result.stdout)
+
+    def test_one_thread_or_two_the_same_bytes(self):
+        outputs = []
+        for jobs in ("1", "2"):
+            picture = self.folder / f"{jobs}.svg"
+            result = run("medial", example("basic"), "--jobs", jobs, "--json", "-", "--svg", picture)
+            outputs.append((result.stdout, picture.read_bytes()))
+        self.assertEqual(*outputs)
+
+    def test_picture_with_feet(self):
+        picture = self.folder / "face.svg"
+        run("medial", example("basic"), "--face", "3", "--svg", picture, "--feet")
+        self.assertIn('class="feet"', picture.read_text())
+
     def test_picture(self):
         picture = self.folder / "face.svg"
         result = run("medial", example("basic"), "--face", "3", "--svg", picture)
         self.assertEqual(0, result.returncode, result.stderr)
         self.assertIn("<svg", picture.read_text())
+
+
+def tube(radius, length, facets):
+    """The wall of a tube as STL text."""
+    def point(i, z):
+        return f"vertex {radius * math.cos(2 * math.pi * i / facets):.9f} {radius * math.sin(2 * math.pi * i / facets):.9f} {z}"
+
+    triangles = [t for i in range(facets)
+                 for t in ((point(i, 0), point(i + 1, 0), point(i + 1, length)), (point(i, 0), point(i + 1, length), point(i, length)))]
+    lines = ["solid tube"]
+    for triangle in triangles:
+        lines += ["facet normal 0 0 0", "outer loop", *triangle, "endloop", "endfacet"]
+    return "\n".join(lines + ["endsolid tube", ""]).encode()
 
 
 class Determinism(Case):

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <memory>
 
 #include "delaunay/shapes.h"
 
@@ -38,16 +40,50 @@ TEST(PlanarRegion, orders_and_orients) {
   EXPECT_EQ(checked->loops[2].points.front(), (Vec2{5, 7})) << "already clockwise: unchanged";
 }
 
+// The upper half of a disc, clockwise: three arcs of 60 degrees from (-1, 0), and the chord back.
+PlanarRegion half_disc() {
+  PlanarRegion half;
+  half.curves = {nullptr, std::make_shared<CircularArc>(Vec2{0, 0}, 1.0)};
+  PlanarLoop& loop = half.loops.emplace_back();
+  for (const double angle : {180.0, 120.0, 60.0, 0.0}) {
+    loop.points.push_back({std::cos(radians(angle)), std::sin(radians(angle))});
+    loop.corner.push_back(angle == 180 || angle == 0);
+    loop.curve.push_back(angle == 0 ? no_index : 1);
+    loop.parameters.push_back({radians(angle), radians(angle - 60)});
+  }
+  return half;
+}
+
 TEST(PlanarRegion, attributes_turn_with_the_loop) {
-  PlanarRegion input = region({reversed(square(0, 0, 1))});  // (0,1) (1,1) (1,0) (0,0)
-  input.loops[0].corner = {true, false, false, true};
-  input.loops[0].curve = {10, 11, 12, 13};
+  const PlanarRegion input = half_disc();
   const auto checked = checked_region(input);
-  ASSERT_TRUE(checked);
+  ASSERT_TRUE(checked) << to_line(checked.error());
   const PlanarLoop& loop = checked->loops[0];
-  EXPECT_EQ(loop.points, (Points{{0, 1}, {0, 0}, {1, 0}, {1, 1}}));
+  const Points& before = input.loops[0].points;
+  EXPECT_EQ(loop.points, (Points{before[0], before[3], before[2], before[1]}));
   EXPECT_EQ(loop.corner, (std::vector<bool>{true, true, false, false}));
-  EXPECT_EQ(loop.curve, (std::vector<Index>{13, 12, 11, 10}));
+  EXPECT_EQ(loop.curve, (std::vector<Index>{no_index, 1, 1, 1}));
+  for (int i = 1; i < 4; ++i) {
+    EXPECT_DOUBLE_EQ(loop.parameters[i][0], radians(60.0 * (i - 1)));
+    EXPECT_DOUBLE_EQ(loop.parameters[i][1], radians(60.0 * i));
+  }
+  EXPECT_EQ(checked->curves, input.curves);
+}
+
+TEST(PlanarRegion, curves_must_exist_and_pass_through_the_points) {
+  PlanarRegion missing = half_disc();
+  missing.loops[0].curve[1] = 2;
+  expect_failure(missing, "attributes", "loop 1", "segment 2");
+  missing.loops[0].curve[1] = 0;  // exists, but is null
+  expect_failure(missing, "attributes", "loop 1", "segment 2");
+  PlanarRegion beside = half_disc();
+  beside.loops[0].parameters[2][1] += 1e-3;
+  expect_failure(beside, "attributes", "loop 1", "point 4");
+  beside.loops[0].parameters[2][1] = std::numeric_limits<double>::quiet_NaN();
+  expect_failure(beside, "attributes", "loop 1", "point 4");
+  PlanarRegion short_list = half_disc();
+  short_list.loops[0].parameters.pop_back();
+  expect_failure(short_list, "attributes", "loop 1", "3 parameter");
 }
 
 TEST(PlanarRegion, bad_loops) {
@@ -56,8 +92,10 @@ TEST(PlanarRegion, bad_loops) {
   expect_failure({}, "empty", "");
   expect_failure(region({good, {{1, 1}, {2, 2}}}), "few_points", "loop 2");
   expect_failure(region({{{0, 0}, {1, nan}, {1, 1}}}), "not_finite", "loop 1", "point 2");
-  expect_failure(region({{{0, 0}, {1, 0}, {1, 0}, {1, 1}}}), "repeated_point", "loop 1", "points 2 and 3");
-  expect_failure(region({{{0, 0}, {1, 0}, {1, 1}, {0, 0}}}), "repeated_point", "loop 1", "points 4 and 1");
+  expect_failure(region({{{0, 0}, {1, 0}, {1, 0}, {1, 1}}}), "repeated_point", "loop 1",
+                 "point 2 of loop 1 and point 3 of loop 1");
+  expect_failure(region({{{0, 0}, {1, 0}, {1, 1}, {0, 0}}}), "repeated_point", "loop 1",
+                 "point 4 of loop 1 and point 1 of loop 1");
   expect_failure(region({good, {{1, 1}, {2, 2}, {3, 3}, {5, 5}}}), "zero_area", "loop 2");
   PlanarRegion attributes = region({good});
   attributes.loops[0].corner = {true};
@@ -79,6 +117,21 @@ TEST(PlanarRegion, misplaced_loops) {
   const Points good = square(0, 0, 10);
   expect_failure(region({square(20, 0, 2), good}), "outside", "loop 1", "loop 2");
   expect_failure(region({good, square(1, 1, 8), square(2, 2, 3)}), "nested", "loop 3");
+}
+
+TEST(PlanarRegion, errors_use_the_callers_names) {
+  const PointName name = [](std::size_t loop, std::size_t point) {
+    return "corner " + std::to_string(10 * loop + point);
+  };
+  const auto crossing = checked_region(region({square(0, 0, 10), square(5, 5, 10)}), name);
+  ASSERT_FALSE(crossing);
+  EXPECT_NE(crossing.error().message.find("corner 13 (5, 15)"), std::string::npos)
+      << crossing.error().message;
+  EXPECT_EQ(crossing.error().message.find("point"), std::string::npos) << crossing.error().message;
+  const auto outside = checked_region(region({square(0, 0, 10), square(50, 5, 10)}), name);
+  ASSERT_FALSE(outside);
+  EXPECT_EQ(outside.error().entity, "loop 2");
+  EXPECT_NE(outside.error().message.find("corner 10 (50, 5)"), std::string::npos) << outside.error().message;
 }
 
 TEST(PlanarRegion, a_wound_strip_of_many_points) {

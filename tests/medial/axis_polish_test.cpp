@@ -18,24 +18,29 @@ TEST(Polish, JunctionOfThreeWallsIsTheIncentre) {
 
 TEST(Polish, TwoWallsMoveItAlongTheLineBetweenTheFeet) {
   const BoundaryCurve curve(shapes::rectangle(100, 20), radians(160));
-  Circle circle{{33, 7}, 8};
-  ASSERT_EQ(polish(curve, {{0, 0, 1}, {0, 2, 1}}, circle).size(), 2u);
-  EXPECT_LT(distance(circle.centre, {33, 10}), 1e-12);
+  AxisPoint point{{{33, 7}, 8}, {BoundaryPlace{0, 0, 0.5}, BoundaryPlace{0, 2, 0.1}}, {}};
+  ASSERT_TRUE(polish(curve, point));
+  EXPECT_LT(distance(curve.point(point.feet[1]), {33, 20}), 1e-12);
+  EXPECT_LT(distance(point.circle.centre, {33, 10}), 1e-12);
+  EXPECT_LT(distance(point.across, {0, -20}), 1e-12);
 }
 
 TEST(Polish, WallAndReflexCornerGiveAParabola) {
   const BoundaryCurve curve(shapes::region_of({{{0, 0}, {80, 0}, {80, 20}, {20, 20}, {20, 70}, {0, 70}}}),
                             radians(160));
-  Circle circle{{14, 9}, 9};
-  const auto feet = polish(curve, {{0, 0, 1}, {0, 2, 2}}, circle);
-  ASSERT_EQ(feet.size(), 2u);
-  EXPECT_NEAR(circle.centre.y, distance(circle.centre, {20, 20}), 1e-12);
+  AxisPoint point{{{14, 9}, 9}, {BoundaryPlace{0, 0, 0.5}, BoundaryPlace{0, 2, 1}}, {}};
+  ASSERT_TRUE(polish(curve, point));
+  EXPECT_NEAR(point.circle.centre.y, distance(point.circle.centre, {20, 20}), 1e-12);
+  EXPECT_NEAR(point.circle.radius, point.circle.centre.y, 1e-12);
 }
 
 TEST(Polish, FailsWhereAllFeetAreOne) {
   const BoundaryCurve curve(shapes::rectangle(100, 20), radians(160));
   Circle circle{{33, 7}, 8};
-  EXPECT_TRUE(polish(curve, {{0, 0, 1}, {0, 0, 1}}, circle).empty());
+  AxisPoint point{circle, {BoundaryPlace{0, 0, 0.3}, BoundaryPlace{0, 0, 0.3}}, {}};
+  EXPECT_FALSE(polish(curve, point));
+  EXPECT_EQ(point.circle.centre, (Vec2{33, 7}));
+  EXPECT_TRUE(polish(curve, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, circle).empty());
   EXPECT_EQ(circle.centre, (Vec2{33, 7}));
 }
 

@@ -68,17 +68,18 @@ TEST(Prune, NeverSwallowsAHole) {
 }
 
 TEST(MergeJunctions, JoinsACrossingButNotTeeth) {
-  const auto junctions = [](const PlanarRegion& region) {
+  const auto junctions = [](const PlanarRegion& region, bool crossings = true) {
     const shapes::SampledShape shape = shapes::sampled(region);
     AxisTriangles axis(shape.triangulation, shape.samples);
     axis.contract(1e-3);
     prune(axis, PruneTolerance(shape.curve, shape.samples, 0));
-    merge_junctions(axis, shape.curve, shape.samples, 0);
+    merge_junctions(axis, shape.curve, shape.samples, crossings, 0);
     Index count = 0;
     for (const AxisNode& node : axis.march().nodes) count += node.out.size() > 2;
     return count;
   };
   EXPECT_EQ(junctions(shapes::letter_x(14, radians(70), 6)), 1);
+  EXPECT_EQ(junctions(shapes::letter_x(14, radians(70), 6), false), 2);
   EXPECT_EQ(junctions(shapes::letter_h(14, 6)), 2);
   EXPECT_EQ(junctions(shapes::comb(8, 12, 26, 30, 5)), 6);
 }

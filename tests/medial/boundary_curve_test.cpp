@@ -26,7 +26,7 @@ TEST(BoundaryCurve, PolygonStaysAPolygon) {
   const BoundaryCurve curve(shapes::rectangle(100, 20), corner_angle);
   const Contact foot = curve.nearest({30, 6}, whole(curve, 0));
   EXPECT_EQ(foot.point, (Vec2{30, 0}));
-  EXPECT_NEAR(curve.position(foot.loop, foot.segment, foot.t), 30, 1e-12);
+  EXPECT_NEAR(curve.position(foot.place), 30, 1e-12);
   for (const bool corner : curve.tagged_region().loops[0].corner) EXPECT_TRUE(corner);
 }
 
@@ -39,16 +39,18 @@ TEST(BoundaryCurve, LongLineBesideAnArcStaysStraight) {
 TEST(BoundaryCurve, SingleBluntPointOfAPolygonIsNoCurve) {
   const BoundaryCurve curve(shapes::region_of({{{0, 0}, {50, -3}, {100, 0}, {100, 40}, {0, 40}}}),
                             corner_angle);
-  const Contact foot = curve.nearest({25, 1}, {0, 0, 1});
+  const Contact foot = curve.nearest({25, 1}, SegmentRun{0, 0, 1});
   EXPECT_NEAR(std::abs(cross(Vec2{50, -3}, foot.point)), 0, 1e-10);
 }
 
 TEST(BoundaryCurve, NearestGoesOnDownhillButNotPastACorner) {
   const PlanarRegion region = shapes::region_of({shapes::circle({0, 0}, 20, {})}, true);
   const BoundaryCurve curve(region, corner_angle);
-  EXPECT_LT(distance(normalized(curve.nearest({15, 0.1}, {0, 5, 2}).point), normalized(Vec2{15, 0.1})), 1e-3);
+  EXPECT_LT(
+      distance(normalized(curve.nearest({15, 0.1}, SegmentRun{0, 5, 2}).point), normalized(Vec2{15, 0.1})),
+      1e-3);
   const BoundaryCurve box(shapes::rectangle(100, 20), corner_angle);
-  EXPECT_EQ(box.nearest({99, 8}, {0, 0, 1}).segment, 0);
+  EXPECT_EQ(box.nearest({99, 8}, SegmentRun{0, 0, 1}).place.segment, 0);
 }
 
 TEST(BoundaryCurve, SeesNoiseButNotFacets) {
@@ -61,8 +63,8 @@ TEST(BoundaryCurve, SeesNoiseButNotFacets) {
 
 TEST(BoundaryCurve, TurningIsPositiveWhereConvex) {
   const BoundaryCurve curve(shapes::annulus(40, 10), corner_angle);
-  EXPECT_NEAR(curve.turning(0, 30, 10), 20.0 / 40, 0.06);
-  EXPECT_NEAR(curve.turning(1, 0, 5), 10.0 / 10 * (curve.tagged_region().loops[1].points.size() ? 1 : 0),
+  EXPECT_NEAR(curve.turning(curve.place_at(0, 30), 10), 20.0 / 40, 0.06);
+  EXPECT_NEAR(curve.turning({1, 0, 0}, 5), 10.0 / 10 * (curve.tagged_region().loops[1].points.size() ? 1 : 0),
               0.3);
 }
 

@@ -155,9 +155,11 @@ TEST(MedialObject, Letters) {
             (Counts{{"S", 4}, {"J", 2}, {"S-J", 4}, {"J-J", 1}}));
 }
 
-TEST(MedialObject, CrossingIsOneJunction) {
+TEST(MedialObject, CrossingIsOneJunctionWhereThatIsWanted) {
+  MedialOptions merging;
+  merging.merge_crossings = true;
   for (const double angle : {90.0, 88.0, 80.0, 70.0, 60.0}) {
-    const MedialObject object = medial_of(shapes::letter_x(14, radians(angle), 6), 0.06);
+    const MedialObject object = medial_of(shapes::letter_x(14, radians(angle), 6), 0.06, merging);
     ASSERT_EQ(counts(object), (Counts{{"S", 4}, {"J", 1}, {"S-J", 4}})) << angle << " degrees";
     EXPECT_LT(norm(nearest_vertex(object, {0, 0}).point), 0.1) << angle << " degrees";
     EXPECT_LT(degrees(greatest_kink(object)), 12) << angle << " degrees";

@@ -28,7 +28,7 @@ TEST(TriangleTypes, OfAStripAndASingleTriangle) {
   strip.triangles = {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}};
   strip.neighbours = {{1, no_index, no_index}, {2, 0, no_index}, {3, no_index, 1}, {no_index, 2, no_index}};
   BoundarySamples samples;
-  for (const Vec2 p : strip.points) samples.samples.push_back({p, 0, 0, false, 0});
+  for (const Vec2 p : strip.points) samples.samples.push_back({p});
   samples.samples[0].corner = true;
   const std::vector<TriangleType> types = triangle_types(strip, samples);
   EXPECT_EQ(types, (std::vector{TriangleType::C, TriangleType::N, TriangleType::N, TriangleType::S}));

@@ -168,5 +168,34 @@ TEST(Pipeline, BasicExampleHoldsTheHardRules) {
   for (const BeadMeshing& meshing : mesh->meshing) EXPECT_EQ(meshing.method, "blocks");
 }
 
+TEST(Pipeline, MedialObjectsOfAllFacesInTheirOrder) {
+  const Panel panel = plate_of_every_kind();
+  std::vector<Index> all;
+  for (Index f = 0; f < static_cast<Index>(panel.faces.size()); ++f) all.push_back(f);
+  const PanelMedials one = medials_of_faces(panel, all, with_jobs(1)),
+                     two = medials_of_faces(panel, all, with_jobs(2));
+  ASSERT_EQ(one.faces.size(), panel.faces.size());
+  ASSERT_EQ(one.images.size(), panel.faces.size());
+  EXPECT_TRUE(one.diagnostics.empty());
+  for (std::size_t f = 0; f < panel.faces.size(); ++f) {
+    EXPECT_EQ(one.faces[f].face, panel.faces[f].number);
+    EXPECT_FALSE(one.images[f].is_cut());
+    ASSERT_EQ(one.faces[f].object.vertices.size(), two.faces[f].object.vertices.size());
+    EXPECT_EQ(one.faces[f].vertex_points, two.faces[f].vertex_points) << "the same bits";
+    EXPECT_EQ(one.faces[f].edge_points, two.faces[f].edge_points);
+  }
+}
+
+TEST(Pipeline, AFaceWithoutAMedialObjectIsNamedAndDoesNotStopTheOthers) {
+  Panel panel = plate_of_every_kind();
+  panel.faces[1].facets.triangles.clear();
+  const PanelMedials medials = medials_of_faces(panel, {0, 1, 2});
+  ASSERT_EQ(medials.faces.size(), 2);
+  ASSERT_EQ(medials.diagnostics.size(), 1);
+  EXPECT_EQ(medials.diagnostics[0].face, panel.faces[1].number);
+  EXPECT_EQ(medials.diagnostics[0].severity, Severity::error);
+  EXPECT_FALSE(medials.diagnostics[0].hint.empty());
+}
+
 }  // namespace
 }  // namespace beadmesh

@@ -66,6 +66,59 @@ TEST(PolygonReader, wkt_syntax) {
   expect_failure(parse_wkt("POLYGON((0 0,1 0 0 0 0,1 1))"), "read.wkt.syntax", "line 1");
 }
 
+TEST(PolygonReader, wkt_dialects) {
+  const std::string ring = "((0 0, 9 0, 9 9, 0 0))", ring_z = "((0 0 5, 9 0 5, 9 9 5, 0 0 5))";
+  for (const std::string& text : std::initializer_list<std::string>{
+           "POLYGON" + ring, "\xEF\xBB\xBFPOLYGON" + ring, "SRID=4326;POLYGON" + ring,
+           "MULTIPOLYGON(" + ring + ")", "POLYGON Z" + ring_z, "PolygonM" + ring_z, "POLYGON" + ring_z,
+           "POLYGON ZM((0 0 1 1,9 0 1 1,9 9 1 1))"}) {
+    const auto region = parse_wkt(text);
+    ASSERT_TRUE(region) << text << ": " << to_line(region.error());
+    EXPECT_EQ(region->loops[0].points.size(), 3u) << text;
+  }
+}
+
+void expect_message(const std::string& text, const std::string& part) {
+  const auto region = parse_wkt(text);
+  ASSERT_FALSE(region) << text;
+  EXPECT_EQ(region.error().code, "read.wkt.syntax") << to_line(region.error());
+  EXPECT_NE(region.error().message.find(part), std::string::npos) << to_line(region.error());
+}
+
+TEST(PolygonReader, wkt_errors_name_loop_and_point) {
+  expect_message("POLYGON((0 0,1 0,1 1),(0 0,\n1 1,x 1))", "point 3 of loop 2: 'x' is no number");
+  expect_message("POLYGON((0 0,1 0,1e999 1))", "point 3 of loop 1: '1e999' is too large or too small");
+  expect_message(std::string("POLYGON((0 0,1\0\n 0,1 1))", 24), "point 2 of loop 1: '1?' is no number");
+  expect_message("POLYGON((0 0,1 0,1))", "point 3 of loop 1: two coordinates expected");
+  expect_message("POLYGON((0 0 1,1 0,1 1 2))", "point 2 of loop 1: 2 coordinates, but 3");
+  expect_message("POLYGON Z((0 0,1 0,1 1))", "point 1 of loop 1: 2 coordinates, but 3");
+  expect_message("POLYGON((0,0 0,0))", "point 1 of loop 1");
+  expect_message("POLYGON((0 0,1 0,1 1),())", "point 1 of loop 2");
+  expect_message("POLYGON((0 0,1 0,1 1),EMPTY)", "loop 2 is empty");
+  expect_message("POLYGON((0 0,1 0,1 1),(0 0", "after point 1 of loop 2");
+  expect_message("LINESTRING(0 0,1 1)", "POLYGON expected, not 'LINESTRING'");
+  expect_message("MULTIPOLYGON(((0 0,1 0,1 1)),((5 0,6 0,6 1)))", "several polygons");
+  expect_message("MULTIPOLYGON(((0 0,1 0,1 1))", "')' expected");
+  expect_message("POLYGON((0 0,1 0,1 1)) POLYGON((5 0,6 0,6 1))", "a file holds one polygon");
+}
+
+TEST(PolygonReader, poly_errors_name_the_vertices_of_the_file) {
+  // Vertices in another order than along the loop: 1 4 2 3, which crosses itself.
+  const std::string vertices = "4 2\n1 0 0\n2 9 0\n3 0 9\n4 9 9\n";
+  const auto crossing = parse_poly(vertices + "4\n1 1 4\n2 4 2\n3 2 3\n4 3 1\n0\n");
+  ASSERT_FALSE(crossing);
+  EXPECT_EQ(crossing.error().code, "delaunay.region.crossing");
+  for (const char* name : {"vertex 1 (0, 0)", "vertex 4 (9, 9)", "vertex 2 (9, 0)", "vertex 3 (0, 9)"})
+    EXPECT_NE(crossing.error().message.find(name), std::string::npos) << crossing.error().message;
+  const auto missing = parse_poly("3 2\n1 0 0\n2 4 1e999\n3 0 3\n");
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().message.find("'1e999' is too large"), std::string::npos)
+      << missing.error().message;
+  const auto bare = parse_poly("3 2\n1 0 0\n2 4 1\n3 0 3\n0\n0\n");
+  ASSERT_FALSE(bare);
+  EXPECT_EQ(bare.error().message, "there are no segments");
+}
+
 TEST(PolygonReader, faults_of_the_region_are_passed_on) {
   expect_failure(parse_wkt("POLYGON((0 0,2 2,2 0,0 3))"), "delaunay.region.crossing", "loop 1");
   expect_failure(parse_wkt("POLYGON((0 0,2 2,nan 0,0 3))"), "delaunay.region.not_finite", "loop 1");

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 namespace beadmesh::drawing {
 namespace {
 
@@ -18,6 +21,17 @@ TEST(Drawing, PathsAreRelativeAndDoNotDrift) {
   Path path;
   path.polyline({{1, 2}, {1.004, 2}, {1.008, 2}, {1.012, 1.5}}, true);
   EXPECT_EQ(path.text(), "M100 200l0 0 1 0 0-50z");
+}
+
+TEST(Drawing, ThinnedLinesKeepToTheirShape) {
+  EXPECT_EQ(thinned({{0, 0}, {1, 0.05}, {2, 0}, {3, 0}}, 0.1), (std::vector<Vec2>{{0, 0}, {3, 0}}));
+  EXPECT_EQ(thinned({{0, 0}, {1, 0}, {1, 1}}, 0.1), (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}}));
+  std::vector<Vec2> circle;
+  for (int i = 0; i <= 10000; ++i) circle.push_back({std::cos(i * pi / 5000), std::sin(i * pi / 5000)});
+  const std::vector<Vec2> few = thinned(circle, 0.01);
+  EXPECT_LT(few.size(), 60);
+  EXPECT_GT(few.size(), 15) << "a closed line is no point";
+  EXPECT_EQ(thinned({{1, 2}}, 1).size(), 1);
 }
 
 TEST(Drawing, RoundLengthsAreOneTwoOrFive) {

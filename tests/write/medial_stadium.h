@@ -19,7 +19,14 @@ inline FaceMedial stadium() {
   face.region.loops = {loop};
   const auto foot = [](double x, double y) { return Foot{{x, y}, 0, 0}; };
   const auto end = [&](double x, double outer) {
-    return MedialVertex{MedialVertexType::S, {x, 0}, 10, {foot(x, -10), foot(outer, 0), foot(x, 10)}, {0}};
+    MedialVertex vertex;
+    vertex.type = MedialVertexType::S;
+    vertex.point = {x, 0};
+    vertex.radius = 10;
+    vertex.touching_points = {foot(x, -10), foot(outer, 0), foot(x, 10)};
+    vertex.contact_intervals = {{0, 1, 2}};
+    vertex.edges = {0};
+    return vertex;
   };
   face.object.vertices = {end(0, -10), end(40, 50)};
   MedialEdge edge;

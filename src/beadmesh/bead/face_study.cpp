@@ -1,5 +1,11 @@
 #include "beadmesh/bead/face_study.h"
 
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "beadmesh/flatten/cut_open.h"
 #include "beadmesh/flatten/flat_region.h"
 
 namespace beadmesh {
@@ -43,6 +49,56 @@ std::vector<std::vector<double>> joints_of_face(const Panel& panel, const PanelF
   return angles;
 }
 
+/// Turns of loops that were sewn up or cut: a joint is where the runs before and behind are not neighbours on
+/// one edge; at a cut the plane image decides.
+class OpenedJoints {
+ public:
+  OpenedJoints(const Panel& panel, const PanelFace& face) : panel_(panel) {
+    for (const auto& loop : face.loops)
+      for (const EdgeUse& use : loop) add(use);
+  }
+
+  std::vector<double> of_loop(const Facets& facets, const FlatFace& flat,
+                              const std::vector<Index>& loop) const {
+    const size_t n = loop.size();
+    std::vector<double> angles;
+    for (size_t i = 0; i < n; ++i) {
+      const Index before = loop[(i + n - 1) % n], here = loop[i], after = loop[(i + 1) % n];
+      const auto in = find(facets, before, here), out = find(facets, here, after);
+      if (in && out)
+        angles.push_back(in->use == out->use && in->step + 1 == out->step
+                             ? 0
+                             : joint_angle(panel_, uses_[in->use], uses_[out->use]));
+      else
+        angles.push_back(angle_between(flat.positions[here] - flat.positions[before],
+                                       flat.positions[after] - flat.positions[here]));
+    }
+    return angles;
+  }
+
+ private:
+  struct Run {
+    Index use, step;
+  };
+
+  void add(const EdgeUse& use) {
+    std::vector<Index> points = panel_.edges[use.edge].points;
+    if (use.reversed) std::reverse(points.begin(), points.end());
+    for (size_t k = 0; k + 1 < points.size(); ++k)
+      runs_.try_emplace({points[k], points[k + 1]}, Run{Index(uses_.size()), Index(k)});
+    uses_.push_back(use);
+  }
+
+  std::optional<Run> find(const Facets& facets, Index from, Index to) const {
+    const auto run = runs_.find({facets.panel_points[from], facets.panel_points[to]});
+    return run == runs_.end() ? std::nullopt : std::optional<Run>(run->second);
+  }
+
+  const Panel& panel_;
+  std::vector<EdgeUse> uses_;
+  std::map<std::pair<Index, Index>, Run> runs_;  // by the panel points of a segment
+};
+
 std::vector<std::vector<bool>> corners_over(const std::vector<std::vector<double>>& angles, double limit) {
   std::vector<std::vector<bool>> corners;
   for (const auto& loop : angles) {
@@ -74,6 +130,26 @@ Result<std::unique_ptr<FaceStudy>> study_faces(const Panel& panel, const std::ve
     for (const auto& loop : study->facets.loops) study->joint_angles.emplace_back(loop.size(), 0.0);
   study->region = flat_region(study->facets, study->flat, corners_over(study->joint_angles, corner_angle));
   return study;
+}
+
+Result<std::unique_ptr<FaceStudy>> study_opened_face(const Panel& panel, Index face, double corner_angle) {
+  auto opened = lay_open(panel.faces[face].facets);
+  if (!opened) return tl::unexpected(opened.error());
+  auto study = std::make_unique<FaceStudy>();
+  study->faces = {face};
+  study->facets = std::move(opened->facets);
+  study->flat = std::move(opened->flat);
+  study->cut_sides = std::move(opened->cut_sides);
+  study->map = std::make_unique<SurfaceMap>(study->facets, study->flat);
+  const OpenedJoints joints(panel, panel.faces[face]);
+  for (const auto& loop : study->facets.loops)
+    study->joint_angles.push_back(joints.of_loop(study->facets, study->flat, loop));
+  study->region = flat_region(study->facets, study->flat, corners_over(study->joint_angles, corner_angle));
+  return study;
+}
+
+double cut_length(const FaceStudy& study) {
+  return cut_length(study.facets, study.cut_sides);
 }
 
 }  // namespace beadmesh

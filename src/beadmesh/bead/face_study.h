@@ -21,6 +21,9 @@ struct FaceStudy {
   PlanarRegion region;  ///< loop l, segment i runs from facets.loops[l][i] to [i + 1]
   std::vector<std::vector<double>>
       joint_angles;  ///< per loop and point: turn of the boundary there, radians; 0 inside edges
+  /// Per loop and segment: is it a side of a cut that opens the face. Empty where nothing is cut, and where
+  /// study_faces does not look for it.
+  std::vector<std::vector<bool>> cut_sides;
 
   /// Point of the exact surface over a flat point.
   Vec3 lift(Vec2 flat_point) const;
@@ -30,5 +33,13 @@ struct FaceStudy {
 /// (radians) are tagged as corners. Fails with flatten.*.
 Result<std::unique_ptr<FaceStudy>> study_faces(const Panel& panel, const std::vector<Index>& faces,
                                                double corner_angle = radians(20));
+
+/// One face, opened so that it can be laid flat (flatten/cut_open.h): a seam is closed where that can be
+/// done, what closes around itself is cut. Where a cut meets the boundary is a corner. Fails with flatten.*.
+Result<std::unique_ptr<FaceStudy>> study_opened_face(const Panel& panel, Index face,
+                                                     double corner_angle = radians(20));
+
+/// Length of the cuts on the surface, mm; each counts once although it has two sides.
+double cut_length(const FaceStudy& study);
 
 }  // namespace beadmesh

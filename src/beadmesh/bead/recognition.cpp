@@ -130,6 +130,13 @@ Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options) 
   return {};
 }
 
+Result<MedialObject> medial_object_of_bead(const PlanarRegion& region) {
+  MedialOptions options;
+  options.merge_crossings = true;
+  options.chord = 1e-4 * diagonal(region);
+  return medial_object(region, options);
+}
+
 Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const BeadOptions& options) {
   Measures sum;
   for (const MedialEdge& edge : medial.edges) add_edge(study, edge, sum);

@@ -19,6 +19,10 @@ struct BeadOptions {
 /// (bead.loops, bead.corner).
 Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options = {});
 
+/// The medial object as recognition and blocks want it: a crossing is one junction, and its lines are as fine
+/// as a mesh can see.
+Result<MedialObject> medial_object_of_bead(const PlanarRegion& region);
+
 /// Measures, classifies and names the bead. `id` and the number of the faces are the caller's. Fails with the
 /// reason why the face is no bead: bead.aspect_ratio, bead.flat, bead.no_axis.
 Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const BeadOptions& options = {});

@@ -23,6 +23,24 @@ Failure region_failure(const char* what, std::size_t loop, std::string message, 
   return fail(fmt::format("delaunay.region.{}", what), std::move(message), std::move(hint), loop_name(loop));
 }
 
+// How errors call points.
+class Names {
+ public:
+  Names(const PlanarRegion& region, const PointName& name) : region_(region), name_(name) {}
+  /// Without its coordinates.
+  std::string bare(std::size_t loop, std::size_t point) const {
+    return name_ ? name_(loop, point) : fmt::format("point {} of {}", point + 1, loop_name(loop));
+  }
+  std::string operator()(std::size_t loop, std::size_t point) const {
+    const Vec2 p = region_.loops[loop].points[point];
+    return fmt::format("{} ({}, {})", bare(loop, point), p.x, p.y);
+  }
+
+ private:
+  const PlanarRegion& region_;
+  const PointName& name_;
+};
+
 bool is_collinear(const std::vector<Vec2>& points) {
   const Vec2 a = points.front();
   const auto b = std::find_if(points.begin(), points.end(), [&](Vec2 p) { return !(p == a); });
@@ -30,33 +48,61 @@ bool is_collinear(const std::vector<Vec2>& points) {
   return std::all_of(points.begin(), points.end(), [&](Vec2 p) { return orient2d(a, *b, p) == 0; });
 }
 
-Result<void> check_loop(const PlanarLoop& loop, std::size_t l) {
+Result<void> check_loop(const PlanarLoop& loop, std::size_t l, const Names& name) {
   const auto& points = loop.points;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_in_exact_range(points[i]))
-      return region_failure(
-          "not_finite", l,
-          fmt::format("point {} ({}, {}) is not finite or out of range", i + 1, points[i].x, points[i].y));
+      return region_failure("not_finite", l, name(l, i) + " is not finite or out of range",
+                            "a coordinate must be 0 or of a magnitude between 1e-60 and 1e60");
   if (points.size() < 3)
-    return region_failure("few_points", l, fmt::format("{} points, at least 3 are needed", points.size()));
-  if ((!loop.corner.empty() && loop.corner.size() != points.size()) ||
-      (!loop.curve.empty() && loop.curve.size() != points.size()))
-    return region_failure("attributes", l,
-                          fmt::format("{} points, but {} corner and {} curve entries", points.size(),
-                                      loop.corner.size(), loop.curve.size()));
+    return region_failure(
+        "few_points", l,
+        fmt::format("{} point{}, at least 3 are needed", points.size(), points.size() == 1 ? "" : "s"));
+  const auto fits = [&](std::size_t entries) { return entries == 0 || entries == points.size(); };
+  if (!fits(loop.corner.size()) || !fits(loop.curve.size()) || loop.parameters.size() != loop.curve.size())
+    return region_failure(
+        "attributes", l,
+        fmt::format("{} points, but {} corner, {} curve and {} parameter entries", points.size(),
+                    loop.corner.size(), loop.curve.size(), loop.parameters.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i] == points[(i + 1) % points.size()])
       return region_failure("repeated_point", l,
-                            fmt::format("points {} and {} are equal ({}, {})", i + 1,
-                                        (i + 1) % points.size() + 1, points[i].x, points[i].y));
-  if (is_collinear(points)) return region_failure("zero_area", l, "all points are on one line");
+                            fmt::format("{} and {} are equal, and follow each other", name.bare(l, i),
+                                        name(l, (i + 1) % points.size())));
+  if (is_collinear(points))
+    return region_failure("zero_area", l, "all points are on one line; the first is " + name(l, 0));
   return {};
 }
 
-Result<void> check_loops(const PlanarRegion& region) {
+// Every segment's curve must exist and run from its one end to its other.
+Result<void> check_curves(const PlanarRegion& region, std::size_t l, double tolerance) {
+  const PlanarLoop& loop = region.loops[l];
+  for (std::size_t i = 0; i < loop.curve.size(); ++i) {
+    if (loop.curve[i] == no_index) continue;
+    const auto id = static_cast<std::size_t>(loop.curve[i]);
+    if (loop.curve[i] < 0 || id >= region.curves.size() || !region.curves[id])
+      return region_failure(
+          "attributes", l,
+          fmt::format("segment {} lies on curve {}, which does not exist", i + 1, loop.curve[i]));
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      const std::size_t at = (i + end) % loop.points.size();
+      const Vec2 on_curve = region.curves[id]->at(loop.parameters[i][end]).point;
+      if (!(distance(on_curve, loop.points[at]) <= tolerance))
+        return region_failure("attributes", l,
+                              fmt::format("the curve of segment {} passes point {} at a distance of {}",
+                                          i + 1, at + 1, distance(on_curve, loop.points[at])));
+    }
+  }
+  return {};
+}
+
+Result<void> check_loops(const PlanarRegion& region, const Names& name) {
   if (region.loops.empty()) return fail("delaunay.region.empty", "the region has no loop");
-  for (std::size_t l = 0; l < region.loops.size(); ++l)
-    if (auto checked = check_loop(region.loops[l], l); !checked) return checked;
+  const double tolerance = 1e-6 * diagonal(region);
+  for (std::size_t l = 0; l < region.loops.size(); ++l) {
+    if (auto checked = check_loop(region.loops[l], l, name); !checked) return checked;
+    if (auto checked = check_curves(region, l, tolerance); !checked) return checked;
+  }
   return {};
 }
 
@@ -78,14 +124,13 @@ struct FlatLoops {
   std::size_t loop_of(Index i) const {
     return std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1;
   }
-  std::string name(Index i) const {
-    const std::size_t l = loop_of(i);
-    return fmt::format("point {} of {} ({}, {})", i - first[l] + 1, loop_name(l), points[i].x, points[i].y);
-  }
 };
 
-Failure conflict_failure(const NetConflict& conflict, const FlatLoops& flat) {
-  const auto name = [&](Index i) { return flat.name(i); };
+Failure conflict_failure(const NetConflict& conflict, const FlatLoops& flat, const Names& names) {
+  const auto name = [&](Index i) {
+    const std::size_t l = flat.loop_of(i);
+    return names(l, static_cast<std::size_t>(i - flat.first[l]));
+  };
   const auto segment = [&](Index a, Index b) {
     return fmt::format("the segment from {} to {}", name(a), name(b));
   };
@@ -180,9 +225,12 @@ void reverse_loop(PlanarLoop& loop) {
   std::reverse(loop.points.begin() + 1, loop.points.end());
   if (!loop.corner.empty()) std::reverse(loop.corner.begin() + 1, loop.corner.end());
   std::reverse(loop.curve.begin(), loop.curve.end());
+  std::reverse(loop.parameters.begin(), loop.parameters.end());
+  for (std::array<double, 2>& ends : loop.parameters) std::swap(ends[0], ends[1]);
 }
 
-Result<std::size_t> outer_loop(const PlanarRegion& region, const std::vector<Index>& depth) {
+Result<std::size_t> outer_loop(const PlanarRegion& region, const std::vector<Index>& depth,
+                               const Names& name) {
   const auto area = [&](std::size_t l) { return std::abs(signed_area(region.loops[l])); };
   std::size_t outer = region.loops.size();
   for (std::size_t l = 0; l < depth.size(); ++l)
@@ -190,8 +238,10 @@ Result<std::size_t> outer_loop(const PlanarRegion& region, const std::vector<Ind
   for (std::size_t l = 0; l < depth.size(); ++l) {
     if (depth[l] == 0 && l != outer)
       return region_failure("outside", l,
-                            fmt::format("it lies outside of the outer loop, {}", loop_name(outer)));
-    if (depth[l] > 1) return region_failure("nested", l, "it lies inside of a hole");
+                            fmt::format("it lies outside of the outer loop, {}; its first point is {}",
+                                        loop_name(outer), name(l, 0)));
+    if (depth[l] > 1)
+      return region_failure("nested", l, "it lies inside of a hole; its first point is " + name(l, 0));
   }
   return outer;
 }
@@ -218,11 +268,16 @@ double diagonal(const PlanarRegion& region) {
 }
 
 Result<PlanarRegion> checked_region(PlanarRegion region) {
-  if (auto checked = check_loops(region); !checked) return Failure(checked.error());
+  return checked_region(std::move(region), {});
+}
+
+Result<PlanarRegion> checked_region(PlanarRegion region, const PointName& point_name) {
+  const Names name(region, point_name);
+  if (auto checked = check_loops(region, name); !checked) return Failure(checked.error());
   const FlatLoops flat(region);
   auto net = delaunay::constrained_net(flat.points, flat.loops);
-  if (!net) return conflict_failure(net.error(), flat);
-  const auto outer = outer_loop(region, LoopDepths(*net, flat).run());
+  if (!net) return conflict_failure(net.error(), flat, name);
+  const auto outer = outer_loop(region, LoopDepths(*net, flat).run(), name);
   if (!outer) return Failure(outer.error());
   std::rotate(region.loops.begin(), region.loops.begin() + *outer, region.loops.begin() + *outer + 1);
   for (std::size_t l = 0; l < region.loops.size(); ++l)

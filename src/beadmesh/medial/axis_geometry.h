@@ -2,9 +2,12 @@
 // and 3.6).
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "beadmesh/medial/axis_graph.h"
 #include "beadmesh/medial/axis_polish.h"
+#include "beadmesh/medial/boundary_curve.h"
 #include "beadmesh/medial/medial_object.h"
 
 namespace beadmesh {
@@ -14,26 +17,38 @@ namespace beadmesh {
 struct PlacedNode {
   Circle circle;
   std::vector<Contact> feet;
-  bool settled = true;  ///< false: a junction that found no disc touching all its sectors
-  bool merged = false;  ///< touches at two points only (MedialVertex::merged)
+  std::vector<ContactInterval> intervals;  ///< where it touches along an arc
+  bool is_end = false;                     ///< a corner or a smooth end
+  bool settled = true;                     ///< false: a junction that found no disc touching all its sectors
+  bool merged = false;                     ///< touches at two points only (MedialVertex::merged)
 };
 
 /// The points of an edge without its nodes, in order.
 using PlacedEdge = std::vector<AxisPoint>;
 
-struct PlacedAxis {
-  std::vector<PlacedNode> nodes;
-  std::vector<PlacedEdge> edges;
+/// What placing needs to know of the stages before.
+struct AxisOnBoundary {
+  const AxisTriangles& triangles;
+  const AxisGraph& graph;
+  const BoundaryCurve& curve;
+  const BoundarySamples& samples;
 };
 
-/// Polishes, merges near points, smooths and polishes again, as the options say. On a noisy boundary the
-/// smoothed points are kept where they are equidistant within the noise: polishing would put the noise back.
-PlacedAxis placed_axis(const AxisTriangles& axis, const AxisGraph& graph, const BoundaryCurve& curve,
-                       const BoundarySamples& samples, const MedialOptions& options);
+/// The nodes: junctions polished, smooth ends on the centre of their arc or of curvature.
+std::vector<PlacedNode> placed_nodes(const AxisOnBoundary& axis, bool polished);
+
+/// The edges: polished, near points merged; on a noisy boundary smoothed, and kept as they are where they are
+/// equidistant within the noise: polishing would put the noise back.
+std::vector<PlacedEdge> placed_edges(const AxisOnBoundary& axis, const std::vector<PlacedNode>& nodes,
+                                     const MedialOptions& options);
+
+/// The feet, left and right, of a node seen from an edge that leaves it through its open half-edge `slot`.
+std::array<Contact, 2> feet_leaving(const PlacedNode& placed, Index slot);
 
 /// Touching points of junctions whose disc does not touch all its sectors, or holds a touching point of its
 /// neighbours: the samples were too coarse to tell which junction has which sector. With samples there the
 /// triangulation can.
-std::vector<Contact> doubtful_contacts(const AxisGraph& graph, const PlacedAxis& placed, double tolerance);
+std::vector<BoundaryPlace> doubtful_contacts(const AxisGraph& graph, const std::vector<PlacedNode>& nodes,
+                                             double tolerance);
 
 }  // namespace beadmesh

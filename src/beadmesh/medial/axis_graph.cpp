@@ -1,7 +1,7 @@
 #include "beadmesh/medial/axis_graph.h"
 
 #include <algorithm>
-#include <tuple>
+#include <cmath>
 
 namespace beadmesh {
 namespace {
@@ -13,6 +13,15 @@ Index next_slot(Index half_edge) {
 struct Box {
   Vec2 low, high;
   double weight = 0;  ///< area of the triangle whose centre stands for the cluster
+};
+
+/// Two neighbours that nearly have one centre: distance over radius, and the half-edge between them.
+struct NearPair {
+  float nearness;
+  Index half_edge;
+  friend bool operator<(const NearPair& a, const NearPair& b) {
+    return a.nearness != b.nearness ? a.nearness < b.nearness : a.half_edge < b.half_edge;
+  }
 };
 
 Box joined(const Box& a, const Box& b) {
@@ -29,6 +38,8 @@ AxisTriangles::AxisTriangles(const Triangulation& triangulation, const BoundaryS
   const std::vector<TriangleType> types = triangle_types(triangulation, samples);
   twin_.assign(3 * triangulation.triangles.size(), no_index);
   open_.assign(twin_.size(), 0);
+  parent_.reserve(count);
+  clusters_.reserve(count);
   for (Index t = 0; t < count; ++t) {
     parent_.push_back(t);
     const Triangle& corners = triangulation.triangles[t];
@@ -40,7 +51,6 @@ AxisTriangles::AxisTriangles(const Triangulation& triangulation, const BoundaryS
       cluster.circle = circumcircle(triangulation.points[corners[0]], triangulation.points[corners[1]],
                                     triangulation.points[corners[2]]);
     }
-    cluster.tip = cluster.circle;
     clusters_.push_back(cluster);
     for (int k = 0; k < 3; ++k) {
       const Index other = triangulation.neighbours[t][k];
@@ -53,6 +63,11 @@ AxisTriangles::AxisTriangles(const Triangulation& triangulation, const BoundaryS
       open_[3 * t + k] = twin_[3 * t + k] != no_index;
     }
   }
+}
+
+const Circle& AxisTriangles::tip(Index root) const {
+  const auto found = tips_.find(root);
+  return found == tips_.end() ? clusters_[root].circle : found->second;
 }
 
 Index AxisTriangles::find(Index triangle) const {
@@ -86,14 +101,27 @@ Index AxisTriangles::degree(Index half_edge) const {
   return count;
 }
 
+Index AxisTriangles::next_in_chain(Index half_edge) const {
+  const Index entered = twin_[half_edge], out = next_open(entered);
+  return out == entered || next_open(out) != entered ? no_index : out;
+}
+
 std::vector<Index> AxisTriangles::chain(Index half_edge) const {
   std::vector<Index> passed{half_edge};
   for (;;) {
-    const Index entered = twin_[passed.back()];
-    const Index out = next_open(entered);
-    if (out == entered || next_open(out) != entered || out == half_edge) return passed;
+    const Index out = next_in_chain(passed.back());
+    if (out == no_index || out == half_edge) return passed;
     passed.push_back(out);
   }
+}
+
+Index AxisTriangles::chain_end(Index half_edge) const {
+  Index last = half_edge;
+  for (Index out = half_edge; out != no_index; out = next_in_chain(out)) {
+    last = out;
+    if (twin_[out] == half_edge) break;
+  }
+  return cluster_of(twin_[last]);
 }
 
 bool AxisTriangles::close(Index half_edge, Index keep) {
@@ -106,8 +134,9 @@ bool AxisTriangles::close(Index half_edge, Index keep) {
 }
 
 void AxisTriangles::contract(double tolerance) {
-  std::vector<std::tuple<double, Index>> near;  // distance over radius, half-edge
+  std::vector<NearPair> near;
   std::vector<Box> boxes;
+  boxes.reserve(clusters_.size());
   for (Index t = 0; t < triangle_count(); ++t) {
     const Circle& circle = clusters_[t].circle;
     const Triangle& corners = triangulation_.triangles[t];
@@ -118,13 +147,14 @@ void AxisTriangles::contract(double tolerance) {
       if (twin_[h] < h) continue;
       const Cluster& other = clusters_[twin_[h] / 3];
       if (clusters_[t].corner != no_index || other.corner != no_index) continue;
-      const double ratio =
-          distance(circle.centre, other.circle.centre) / std::min(circle.radius, other.circle.radius);
-      if (ratio <= tolerance) near.emplace_back(ratio, h);
+      const double radius = std::min(circle.radius, other.circle.radius);
+      const double square = squared_norm(other.circle.centre - circle.centre);
+      if (square <= tolerance * tolerance * radius * radius)
+        near.push_back({static_cast<float>(std::sqrt(square) / radius), h});
     }
   }
   std::sort(near.begin(), near.end());
-  for (const auto& [ratio, h] : near) {
+  for (const auto& [nearness, h] : near) {
     const Index a = find(h / 3), b = find(twin_[h] / 3);
     if (a == b) continue;
     const Box box = joined(boxes[a], boxes[b]);
@@ -137,25 +167,62 @@ void AxisTriangles::contract(double tolerance) {
   }
 }
 
+int AxisTriangles::open_sides(Index triangle) const {
+  int count = 0;
+  for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+    if (open_[h])
+      ++count;
+    else if (twin_[h] != no_index)
+      return -1;
+  }
+  return count;
+}
+
+std::vector<Index> AxisTriangles::leaves() const {
+  std::vector<Index> leaves;
+  for (Index t = 0; t < triangle_count(); ++t) {
+    if (open_sides(t) > 1) continue;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      if (open_[h] && next_open(h) == h) leaves.push_back(h);
+  }
+  return leaves;
+}
+
 AxisGraph AxisTriangles::march() const {
   AxisGraph graph;
   const auto count = static_cast<Index>(twin_.size());
   std::vector<Index> node_of(count, no_index);
   std::vector<char> marked(count, 0);
   for (Index h = 0; h < count; ++h) {
+    if (h % 3 == 0 && open_sides(h / 3) == 2) {  // most triangles are but a step of an edge
+      h += 2;
+      continue;
+    }
     if (!open_[h] || node_of[h] != no_index || degree(h) == 2) continue;
-    AxisNode node{find(h / 3), {}};
+    const Index root = find(h / 3);
+    AxisNode node{root, clusters_[root].corner != no_index, {}};
     for (Index out = h; node.out.empty() || out != h; out = next_open(out)) {
       node_of[out] = static_cast<Index>(graph.nodes.size());
       node.out.push_back(out);
     }
     graph.nodes.push_back(std::move(node));
   }
+  const auto slot = [&](Index node, Index h) {
+    const std::vector<Index>& out = graph.nodes[node].out;
+    return static_cast<Index>(std::find(out.begin(), out.end(), h) - out.begin());
+  };
   const auto add_edge = [&](Index h) {
     if (marked[h]) return;
-    AxisEdge edge{node_of[h], no_index, chain(h)};
+    AxisEdge edge;
+    edge.start = node_of[h];
+    edge.half_edges = chain(h);
     for (const Index passed : edge.half_edges) marked[passed] = marked[twin_[passed]] = 1;
-    if (edge.start != no_index) edge.end = node_of[twin_[edge.half_edges.back()]];
+    if (edge.start != no_index) {
+      const Index last = twin_[edge.half_edges.back()];
+      edge.end = node_of[last];
+      edge.start_slot = slot(edge.start, h);
+      edge.end_slot = slot(edge.end, last);
+    }
     graph.edges.push_back(std::move(edge));
   };
   for (const AxisNode& node : graph.nodes)
@@ -163,7 +230,7 @@ AxisGraph AxisTriangles::march() const {
   for (Index h = 0; h < count; ++h)
     if (open_[h]) add_edge(h);
   if (graph.nodes.empty() && graph.edges.empty() && triangle_count() > 0)
-    graph.nodes.push_back({find(0), {}});
+    graph.nodes.push_back({find(0), false, {}});
   return graph;
 }
 

@@ -1,6 +1,7 @@
 // The medial axis as a graph on half-edges of the triangulation (section 3.3, algorithms 1 and 2, mended).
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "beadmesh/medial/triangle_type.h"
@@ -11,7 +12,6 @@ namespace beadmesh {
 struct Cluster {
   Circle circle;            ///< a corner: the corner point, radius 0
   Index corner = no_index;  ///< the sample, where the cluster is a C triangle
-  Circle tip;               ///< what pruning has cut off beyond `circle`; the circle itself where nothing was
   bool merged = false;  ///< several junctions made one (section 3.5): touches the boundary at two points only
 };
 
@@ -24,12 +24,14 @@ struct Sector {
 /// node; between two successive ones lies a cluster with two open half-edges.
 struct AxisEdge {
   Index start = no_index, end = no_index;
+  Index start_slot = 0, end_slot = 0;  ///< which of the nodes' `out` the edge's ends are
   std::vector<Index> half_edges;
 };
 
 /// A cluster with other than two open half-edges; `out` are these, counter-clockwise.
 struct AxisNode {
   Index triangle = no_index;
+  bool is_corner = false;
   std::vector<Index> out;
 };
 
@@ -50,6 +52,9 @@ class AxisTriangles {
   Index cluster_of(Index half_edge) const { return find(half_edge / 3); }
   Cluster& cluster(Index root) { return clusters_[root]; }
   const Cluster& cluster(Index root) const { return clusters_[root]; }
+  /// What pruning has cut off beyond the cluster's circle; the circle itself where nothing was.
+  const Circle& tip(Index root) const;
+  void set_tip(Index root, const Circle& tip) { tips_[root] = tip; }
   Index triangle_count() const { return static_cast<Index>(parent_.size()); }
 
   /// The samples left and right of the axis where it leaves through the half-edge.
@@ -63,6 +68,11 @@ class AxisTriangles {
   /// From a half-edge along clusters of degree 2 to the half-edge that enters a node, or back to the start.
   std::vector<Index> chain(Index half_edge) const;
 
+  /// The cluster at the far end of that: of a node, or the one left through `half_edge` itself.
+  Index chain_end(Index half_edge) const;
+  /// The half-edge that leaves the next cluster of a chain; no_index where that is a node.
+  Index next_in_chain(Index half_edge) const;
+
   /// Closes a half-edge; the cluster of `keep`'s side survives with its data. False where that would close a
   /// cycle.
   bool close(Index half_edge, Index keep);
@@ -72,6 +82,10 @@ class AxisTriangles {
   /// ties.
   void contract(double tolerance);
 
+  /// Open half-edges of a triangle that is a cluster of its own, -1 where it is part of a larger one.
+  int open_sides(Index triangle) const;
+  /// The open half-edges of the smooth ends and corners: of clusters that have only one.
+  std::vector<Index> leaves() const;
   /// Nodes and edges, each half-edge once: loops from a node to itself and double edges come out right.
   AxisGraph march() const;
 
@@ -81,6 +95,7 @@ class AxisTriangles {
   std::vector<char> open_;
   mutable std::vector<Index> parent_;
   std::vector<Cluster> clusters_;
+  std::map<Index, Circle> tips_;
 };
 
 }  // namespace beadmesh

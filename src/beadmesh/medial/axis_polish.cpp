@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace beadmesh {
 namespace {
@@ -48,14 +49,55 @@ SegmentRun run_of(const BoundaryCurve& curve, const BoundarySamples& samples, Se
   const Index before = previous_sample(samples, sector.first), after = next_sample(samples, sector.last);
   const BoundarySample &from = samples.samples[before], &to = samples.samples[after];
   const Index loop = from.loop, n = curve.segments(loop);
-  const Index first = curve.segment_at(loop, from.position);
-  Index last = curve.segment_at(loop, to.position);
-  if (curve.position(loop, last, 0) >= to.position) last = (last - 1 + n) % n;
+  const Index first = from.segment;
+  const Index last = to.t > 0 ? to.segment : (to.segment > 0 ? to.segment - 1 : n - 1);
   const Index loop_samples = samples.first[loop + 1] - samples.first[loop];
-  const Index span = (sector.last - sector.first + loop_samples) % loop_samples;
+  Index span = sector.last - sector.first;
+  if (span < 0) span += loop_samples;
   if (span + 2 >= loop_samples) return {loop, first, n};
-  if (first == last && to.position > 0 && to.position < from.position) return {loop, first, n};
-  return {loop, first, (last - first + n) % n + 1};
+  const bool around = first == last && to.segment == first && to.t < from.t;
+  if (around) return {loop, first, n};
+  return {loop, first, (last >= first ? last - first : last - first + n) + 1};
+}
+
+bool polish(const BoundaryCurve& curve, AxisPoint& point) {
+  constexpr double least_apart = 4e-4;  // square of the distance of the unit vectors: about one degree
+  constexpr int most_rounds = 20, patience = 6;
+  const Vec2 start = point.circle.centre;
+  const double reach = point.circle.radius, precise = 1e-15 * curve.size();
+  FootFollower left(curve, point.feet[0]), right(curve, point.feet[1]);
+  Vec2 centre = start;
+  AxisPoint best;
+  double best_gap = std::numeric_limits<double>::infinity(), best_square = 0;
+  for (int round = 0; round < most_rounds && best_gap > precise; ++round) {
+    const Contact &l = left.follow(centre), &r = right.follow(centre);
+    const Vec2 to_left = l.distance > 0 ? (centre - l.point) / l.distance : Vec2{};
+    const Vec2 apart = to_left - (r.distance > 0 ? (centre - r.point) / r.distance : Vec2{});
+    const double gap = l.distance - r.distance, square = squared_norm(apart);
+    if (std::abs(gap) < best_gap) {
+      best_gap = std::abs(gap);
+      best_square = square;
+      best = {{centre, std::min(l.distance, r.distance)}, {l.place, r.place}, l.point - r.point};
+    } else if (round > patience || best_gap < 1e-12 * curve.size()) {
+      break;
+    }
+    if (square < least_apart) return false;
+    const double longest = 0.5 * reach / std::sqrt(square);
+    centre -= apart * std::clamp(gap / square, -longest, longest);
+    if (!(squared_norm(centre - start) <= 2.25 * reach * reach)) break;
+  }
+  if (!(best_gap <= 1e-7 * best.circle.radius) || best_square < least_apart) return false;
+  point = best;
+  return true;
+}
+
+double set_feet(const BoundaryCurve& curve, AxisPoint& point) {
+  const Contact left = curve.nearest(point.circle.centre, point.feet[0]);
+  const Contact right = curve.nearest(point.circle.centre, point.feet[1]);
+  point.circle.radius = std::min(left.distance, right.distance);
+  point.feet = {left.place, right.place};
+  point.across = left.point - right.point;
+  return std::abs(left.distance - right.distance);
 }
 
 std::vector<Contact> feet_of(const BoundaryCurve& curve, const std::vector<SegmentRun>& runs, Vec2 centre) {
@@ -101,10 +143,10 @@ std::vector<Contact> polish_merged(const BoundaryCurve& curve, const std::vector
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return feet[a].distance < feet[b].distance; });
-  Circle moved = circle;
-  polish(curve, {runs[order[0]], runs[order[1]]}, moved);
-  const std::vector<Contact> moved_feet = feet_of(curve, runs, moved.centre);
-  circle = {moved.centre, spread_of(moved_feet).least};
+  AxisPoint moved{circle, {feet[order[0]].place, feet[order[1]].place}, {}};
+  polish(curve, moved);
+  const std::vector<Contact> moved_feet = feet_of(curve, runs, moved.circle.centre);
+  circle = {moved.circle.centre, spread_of(moved_feet).least};
   return moved_feet;
 }
 

@@ -9,21 +9,28 @@
 
 namespace beadmesh {
 
-/// A point of an axis edge: its disc, and the two stretches of boundary, left and right, that it lies
-/// between.
-struct AxisPoint {
-  Circle circle;
-  std::array<SegmentRun, 2> runs;
-  std::array<Contact, 2> feet;
-};
-
 /// The segments under a sector and one sample more at either end.
 SegmentRun run_of(const BoundaryCurve& curve, const BoundarySamples& samples, Sector sector);
 
-/// Moves the circle's centre until the nearest points of all runs are equally far (least squares where there
-/// are more than three), and sets its radius to the least distance. Two runs: moves along the line between
-/// the feet. Returns the feet; empty where it does not converge near the start, or all feet are nearly one;
-/// the circle is unchanged then.
+/// A point of an axis edge: its disc, and where that touches left and right.
+struct AxisPoint {
+  Circle circle;
+  std::array<BoundaryPlace, 2> feet;
+  Vec2 across;  ///< from the right foot to the left one: across the axis
+};
+
+/// Moves the circle's centre along the line between its two feet until these are equally far, and sets its
+/// radius to that. The feet to begin with are places near them; they end as nearest points downhill from
+/// there. False where it does not converge near the start or the feet are nearly one; the point is unchanged
+/// then.
+bool polish(const BoundaryCurve& curve, AxisPoint& point);
+
+/// The feet moved downhill to where the unmoved centre has them, and the least distance as radius.
+/// Returns by how much the distances differ.
+double set_feet(const BoundaryCurve& curve, AxisPoint& point);
+
+/// The same for a junction: until the nearest points of all runs are equally far (least squares where there
+/// are more than three); radius is the least distance. Returns the feet, empty where it fails.
 std::vector<Contact> polish(const BoundaryCurve& curve, const std::vector<SegmentRun>& runs, Circle& circle);
 
 /// The same for a junction that was merged: equidistant from its two nearest runs, feet of all.

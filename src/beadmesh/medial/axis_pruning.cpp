@@ -5,6 +5,9 @@
 #include <queue>
 #include <tuple>
 
+#include "beadmesh/medial/axis_polish.h"
+#include "beadmesh/medial/osculating_circle.h"
+
 namespace beadmesh {
 namespace {
 
@@ -22,14 +25,13 @@ class Pruner {
   Pruner(AxisTriangles& axis, const PruneTolerance& tolerance) : axis_(axis), tolerance_(tolerance) {}
 
   void run() {
-    for (const AxisNode& node : axis_.march().nodes)
-      if (node.out.size() == 1) push(node.out[0]);
+    for (const Index leaf : axis_.leaves()) push(leaf);
     while (!leaves_.empty()) {
       const Leaf leaf = leaves_.top();
       leaves_.pop();
       if (!is_leaf(leaf.half_edge)) continue;
       // A junction further in may have dissolved since, and the leaf reaches further now.
-      if (measured(leaf.half_edge) > leaf.protrusion)
+      if (measured(leaf.half_edge, axis_.chain_end(leaf.half_edge)) > leaf.protrusion)
         push(leaf.half_edge);
       else
         cut(leaf.half_edge);
@@ -41,27 +43,30 @@ class Pruner {
     return axis_.cluster_of(h) != axis_.cluster_of(axis_.twin(h)) && axis_.next_open(h) == h &&
            axis_.cluster(axis_.cluster_of(h)).corner == no_index;
   }
-  Index inner_cluster(Index h) const { return axis_.cluster_of(axis_.twin(axis_.chain(h).back())); }
-
-  double measured(Index h) const {
-    return protrusion(axis_.cluster(axis_.cluster_of(h)).tip, axis_.cluster(inner_cluster(h)).circle);
+  double measured(Index h, Index inner) const {
+    return protrusion(axis_.tip(axis_.cluster_of(h)), axis_.cluster(inner).circle);
   }
 
   void push(Index h) {
-    const Cluster& inner = axis_.cluster(inner_cluster(h));
-    if (!is_leaf(h) || inner.corner != no_index) return;
+    if (!is_leaf(h)) return;
+    const Index end = axis_.chain_end(h);
+    const Cluster& inner = axis_.cluster(end);
+    if (inner.corner != no_index) return;
     const double local = std::max(tolerance_.at(axis_.left(h)), tolerance_.at(axis_.right(h)));
-    const double reach = measured(h);
+    const double reach = measured(h, end);
+    if (reach < 0.25 * inner.circle.radius &&
+        tolerance_.is_vertex(axis_.cluster(axis_.cluster_of(h)).circle, axis_.sector_after(h)))
+      return;
     if (reach < std::min(local, 0.25 * inner.circle.radius)) leaves_.push({reach, h});
   }
 
   void cut(Index h) {
     const std::vector<Index> chain = axis_.chain(h);
-    const Index inner = inner_cluster(h);
-    const Circle lost = axis_.cluster(axis_.cluster_of(h)).tip;
+    const Index inner = axis_.cluster_of(axis_.twin(chain.back()));
+    const Circle lost = axis_.tip(axis_.cluster_of(h));
     for (auto passed = chain.rbegin(); passed != chain.rend(); ++passed) axis_.close(*passed, inner);
-    Cluster& kept = axis_.cluster(inner);
-    if (protrusion(lost, kept.circle) > protrusion(kept.tip, kept.circle)) kept.tip = lost;
+    const Circle& kept = axis_.cluster(inner).circle;
+    if (protrusion(lost, kept) > protrusion(axis_.tip(inner), kept)) axis_.set_tip(inner, lost);
   }
 
   AxisTriangles& axis_;
@@ -112,7 +117,8 @@ bool faces_concave_boundary(const AxisTriangles& axis, const BoundaryCurve& curv
     const BoundarySample& right = samples.samples[axis.right(h)];
     if (left.loop != right.loop) return false;
     for (const BoundarySample* sample : {&left, &right})
-      if (curve.turning(sample->loop, sample->position, bridge.least_radius) > -least_turn) return false;
+      if (curve.turning({sample->loop, sample->segment, sample->t}, bridge.least_radius) > -least_turn)
+        return false;
   }
   return true;
 }
@@ -122,7 +128,20 @@ bool faces_concave_boundary(const AxisTriangles& axis, const BoundaryCurve& curv
 double PruneTolerance::at(Index sample) const {
   if (fixed_ > 0) return fixed_;
   const BoundarySample& at = samples_.samples[sample];
-  return std::max(curve_.tolerance(at.loop, curve_.segment_at(at.loop, at.position)), noise());
+  return std::max(curve_.tolerance(at.loop, at.segment), noise());
+}
+
+bool PruneTolerance::is_vertex(const Circle& disc, Sector sector) const {
+  const BoundarySample& before = samples_.samples[previous_sample(samples_, sector.first)];
+  const BoundarySample& after = samples_.samples[next_sample(samples_, sector.last)];
+  if (fixed_ > 0 || !curve_.is_exact(before.loop)) return false;
+  const double from = curve_.position({before.loop, before.segment, before.t});
+  double to = curve_.position({after.loop, after.segment, after.t});
+  if (to <= from) to += curve_.length(before.loop);
+  BoundaryPlace vertex;
+  const auto circle = osculating_circle(curve_, {before.loop, from, to}, disc, vertex);
+  return circle && curve_.nearest(circle->centre, run_of(curve_, samples_, sector)).distance >
+                       circle->radius - 1e-9 * curve_.size();
 }
 
 double PruneTolerance::noise() const {
@@ -138,15 +157,16 @@ void prune(AxisTriangles& axis, const PruneTolerance& tolerance) {
 }
 
 void merge_junctions(AxisTriangles& axis, const BoundaryCurve& curve, const BoundarySamples& samples,
-                     double noise) {
+                     bool crossings, double noise) {
+  if (!crossings && curve.noise() == 0) return;  // contraction has left nothing that is shorter
   const AxisGraph graph = axis.march();
   std::vector<JunctionBridge> bridges;
   for (const AxisEdge& edge : graph.edges) {
     if (edge.start == no_index || edge.start == edge.end) continue;
     if (graph.nodes[edge.start].out.size() < 3 || graph.nodes[edge.end].out.size() < 3) continue;
     const JunctionBridge bridge = bridge_of(axis, edge);
-    const bool crossing =
-        bridge.length < 2 * bridge.least_radius && faces_concave_boundary(axis, curve, samples, bridge);
+    const bool crossing = crossings && bridge.length < 2 * bridge.least_radius &&
+                          faces_concave_boundary(axis, curve, samples, bridge);
     if (crossing || bridge.length < noise) bridges.push_back(bridge);
   }
   std::stable_sort(bridges.begin(), bridges.end(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace beadmesh {
 namespace {
@@ -10,30 +11,34 @@ double signed_angle(Vec2 a, Vec2 b) {
   return std::atan2(cross(a, b), dot(a, b));
 }
 
-Vec2 rotated(Vec2 v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {v.x * c - v.y * s, v.x * s + v.y * c};
+Vec2 mirrored(Vec2 v, Vec2 axis) {
+  return axis * (2 * dot(v, axis) / squared_norm(axis)) - v;
+}
+
+bool is_zero(Vec2 v) {
+  return v.x == 0 && v.y == 0;
 }
 
 }  // namespace
 
-BoundaryCurve::BoundaryCurve(const PlanarRegion& region, double corner_angle)
-    : region_(region), size_(diagonal(region)) {
-  std::vector<double> wobble;
-  for (PlanarLoop& loop : region_.loops) {
-    Loop made = make_loop(loop);
-    const bool tagged = loop.corner.size() == loop.points.size();
-    if (!tagged) {
-      loop.corner.assign(loop.points.size(), false);
-      for (std::size_t i = 0; i < loop.points.size(); ++i)
-        loop.corner[i] = std::abs(made.turn[i]) > pi - corner_angle;
-    }
-    for (std::size_t i = 0; i < loop.points.size(); ++i)
-      made.wall_end.push_back(loop.corner[i] && made.turn[i] > 0);
-    bend_pieces(made, smooth_points(made, loop.corner, tagged));
-    measure_deviations(made, loop.corner, wobble);
-    loops_.push_back(std::move(made));
+CurvePoint BoundaryPiece::at(double t) const {
+  if (curve) {
+    const double scale = to - from;
+    const CurvePoint p = curve->at(from + t * scale);
+    return {p.point, p.velocity * scale, p.acceleration * (scale * scale)};
   }
+  const Vec2 chord = b - a;
+  if (straight) return {lerp(a, b, t), chord, {}};
+  const double u = 1 - t;
+  return {a * (u * u * (1 + 2 * t)) + b * (t * t * (1 + 2 * u)) + leave * (t * u * u) - arrive * (u * t * t),
+          chord * (6 * t * u) + leave * (u * (1 - 3 * t)) + arrive * (t * (3 * t - 2)),
+          chord * (6 - 12 * t) + leave * (6 * t - 4) + arrive * (6 * t - 2)};
+}
+
+BoundaryCurve::BoundaryCurve(const PlanarRegion& region, double corner_angle)
+    : region_(region), loops_(region.loops.size()), size_(diagonal(region)) {
+  std::vector<double> wobble;
+  for (std::size_t l = 0; l < loops_.size(); ++l) read(l, corner_angle, wobble);
   if (wobble.size() < 8) return;
   const auto middle = wobble.begin() + static_cast<std::ptrdiff_t>(wobble.size() / 2);
   std::nth_element(wobble.begin(), middle, wobble.end());
@@ -43,179 +48,331 @@ BoundaryCurve::BoundaryCurve(const PlanarRegion& region, double corner_angle)
   if (amplitude > 1e-9 * size_) noise_ = amplitude;
 }
 
-BoundaryCurve::Loop BoundaryCurve::make_loop(const PlanarLoop& loop) {
-  Loop made;
+void BoundaryCurve::read(std::size_t l, double corner_angle, std::vector<double>& wobble) {
+  PlanarLoop& loop = region_.loops[l];
+  Loop& made = loops_[l];
   const std::size_t n = loop.points.size();
+  const bool exact = !loop.curve.empty(), tagged = loop.corner.size() == n;
+  std::vector<double> turns(n);
+  made.start.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    Piece piece;
-    piece.a = loop.points[i];
-    piece.b = loop.points[(i + 1) % n];
-    piece.start = made.length;
-    piece.length = distance(piece.a, piece.b);
-    made.length += piece.length;
-    made.pieces.push_back(piece);
-    made.turn.push_back(signed_angle(loop.points[i] - loop.points[(i + n - 1) % n], piece.b - piece.a));
+    made.start.push_back(made.length);
+    made.length += distance(loop.points[i], loop.points[(i + 1) % n]);
+    turns[i] = exact ? exact_turn(loop, i) : turn(loop, i);
   }
-  return made;
+  if (!tagged) {
+    loop.corner.assign(n, false);
+    for (std::size_t i = 0; i < n; ++i) loop.corner[i] = std::abs(turns[i]) > pi - corner_angle;
+  }
+  made.convex_corner.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) made.convex_corner.push_back(loop.corner[i] && turns[i] > 0);
+  if (!exact) made.tangent = tangents(loop, turns, smooth_points(loop, turns, tagged));
+  mark_bent(l);
+  measure_deviations(l, wobble);
 }
 
-std::vector<char> BoundaryCurve::smooth_points(const Loop& loop, const std::vector<bool>& corner,
+void BoundaryCurve::mark_bent(std::size_t l) {
+  const PlanarLoop& loop = region_.loops[l];
+  if (loop.curve.empty() && loops_[l].tangent.empty()) return;
+  std::vector<char>& bent = loops_[l].bent;
+  bent.resize(loop.points.size());
+  for (std::size_t i = 0; i < bent.size(); ++i)
+    bent[i] = !piece(static_cast<Index>(l), static_cast<Index>(i)).straight;
+}
+
+double BoundaryCurve::turn(const PlanarLoop& loop, std::size_t i) const {
+  const std::size_t n = loop.points.size();
+  return signed_angle(loop.points[i] - loop.points[i > 0 ? i - 1 : n - 1],
+                      loop.points[i + 1 < n ? i + 1 : 0] - loop.points[i]);
+}
+
+double BoundaryCurve::exact_turn(const PlanarLoop& loop, std::size_t i) const {
+  const auto l = static_cast<Index>(&loop - region_.loops.data());
+  const auto n = static_cast<Index>(loop.points.size()), at = static_cast<Index>(i);
+  return signed_angle(piece(l, at > 0 ? at - 1 : n - 1).at(1).velocity, piece(l, at).at(0).velocity);
+}
+
+std::vector<char> BoundaryCurve::smooth_points(const PlanarLoop& loop, const std::vector<double>& turns,
                                                bool tagged) const {
   constexpr double greatest_turn = radians(60);
   constexpr double greatest_bulge = 1e-3;  // of the size, without tags
-  const std::size_t n = loop.pieces.size();
+  const std::size_t n = loop.points.size();
   std::vector<char> candidate(n), smooth(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double turn = std::abs(loop.turn[i]);
-    const double bulge = turn / 8 * std::min(loop.pieces[i].length, loop.pieces[(i + n - 1) % n].length);
-    candidate[i] = !corner[i] && turn < greatest_turn && (tagged || bulge < greatest_bulge * size_);
+    const double turn = std::abs(turns[i]);
+    const auto bulge = [&] {
+      return turn / 8 *
+             std::min(distance(loop.points[i], loop.points[(i + 1) % n]),
+                      distance(loop.points[i], loop.points[(i + n - 1) % n]));
+    };
+    candidate[i] = !loop.corner[i] && turn < greatest_turn && (tagged || bulge() < greatest_bulge * size_);
   }
   // A single blunt point between corners is a polygon's, not a curve's.
   for (std::size_t i = 0; i < n; ++i)
-    smooth[i] = candidate[i] && (tagged || candidate[(i + 1) % n] || candidate[(i + n - 1) % n]);
+    smooth[i] =
+        candidate[i] && (tagged || candidate[i + 1 < n ? i + 1 : 0] || candidate[i > 0 ? i - 1 : n - 1]);
   return smooth;
 }
 
 // The tangent at a smooth point splits the turn so that both neighbouring pieces bulge by the same height. On
 // evenly spaced points of a circle that is the circle's tangent; where a long straight segment meets a
 // facetted arc it is nearly the segment's direction, and the straight side stays straight.
-void BoundaryCurve::bend_pieces(Loop& loop, const std::vector<char>& smooth) {
-  const std::size_t n = loop.pieces.size();
+std::vector<Vec2> BoundaryCurve::tangents(const PlanarLoop& loop, const std::vector<double>& turns,
+                                          const std::vector<char>& smooth) {
+  const std::size_t n = loop.points.size();
+  bool bends = false;
+  for (std::size_t i = 0; i < n; ++i) bends |= smooth[i] && std::abs(turns[i]) > 1e-12;
+  if (!bends) return {};
+  std::vector<Vec2> tangents(n);
   for (std::size_t i = 0; i < n; ++i) {
-    Piece& piece = loop.pieces[i];
-    const std::size_t next = (i + 1) % n, before = (i + n - 1) % n;
-    const double length_before = loop.pieces[before].length, length_after = loop.pieces[next].length;
-    double leave = -loop.turn[i] * length_before / (length_before + piece.length);
-    double arrive = loop.turn[next] * length_after / (length_after + piece.length);
-    if (!smooth[i] && !smooth[next])
-      leave = arrive = 0;
-    else if (!smooth[i])
-      leave = -arrive;
-    else if (!smooth[next])
-      arrive = -leave;
-    piece.straight = std::max(std::abs(leave), std::abs(arrive)) < 1e-12;
-    const Vec2 chord = piece.b - piece.a;
-    const double half_leave = std::cos(leave / 2), half_arrive = std::cos(arrive / 2);
-    piece.leave = rotated(chord, leave) / (half_leave * half_leave);
-    piece.arrive = rotated(chord, arrive) / (half_arrive * half_arrive);
+    if (!smooth[i]) continue;
+    const Vec2 in = loop.points[i] - loop.points[i > 0 ? i - 1 : n - 1];
+    const Vec2 out = loop.points[i + 1 < n ? i + 1 : 0] - loop.points[i];
+    const double before = norm(in), after = norm(out), back = -turns[i] * before / (before + after);
+    const Vec2 ahead = out / after;
+    tangents[i] = ahead * std::cos(back) + left_normal(ahead) * std::sin(back);
   }
+  return tangents;
 }
 
-void BoundaryCurve::measure_deviations(Loop& loop, const std::vector<bool>& corner,
-                                       std::vector<double>& wobble) {
-  const std::size_t n = loop.pieces.size();
+void BoundaryCurve::measure_deviations(std::size_t l, std::vector<double>& wobble) {
+  const PlanarLoop& loop = region_.loops[l];
+  const std::size_t n = loop.points.size();
   std::vector<double> deviation(n, 0);  // of a smooth point from the chord of its neighbours
+  double greatest = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (corner[i]) continue;
-    const Vec2 a = loop.pieces[(i + n - 1) % n].a, b = loop.pieces[i].b;
+    if (loop.corner[i]) continue;
+    const Vec2 a = loop.points[i > 0 ? i - 1 : n - 1], b = loop.points[i + 1 < n ? i + 1 : 0];
     const double chord = distance(a, b);
-    if (chord > 0) deviation[i] = cross(b - a, loop.pieces[i].a - a) / chord;
+    if (chord > 0) deviation[i] = cross(b - a, loop.points[i] - a) / chord;
+    greatest = std::max(greatest, std::abs(deviation[i]));
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t before = (i + n - 1) % n, next = (i + 1) % n;
-    if (corner[before] || corner[i] || corner[next]) continue;
-    wobble.push_back(std::abs(deviation[i] - (deviation[before] + deviation[next]) / 2));
-  }
-  loop.tolerance.assign(n, 0);
+  if (loop.curve.empty())
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = i > 0 ? i - 1 : n - 1, next = i + 1 < n ? i + 1 : 0;
+      if (loop.corner[before] || loop.corner[i] || loop.corner[next]) continue;
+      wobble.push_back(std::abs(deviation[i] - (deviation[before] + deviation[next]) / 2));
+    }
+  if (greatest == 0) return;
+  std::vector<float>& tolerance = loops_[l].tolerance;
+  tolerance.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     double most = 0;
     for (std::size_t k = 0; k < 6; ++k) most = std::max(most, std::abs(deviation[(i + n * 6 + k - 2) % n]));
-    loop.tolerance[i] = 1.25 * most;
+    tolerance[i] = static_cast<float>(1.25 * most);
   }
 }
 
-Index BoundaryCurve::segment_at(Index loop, double position) const {
-  const std::vector<Piece>& pieces = loops_[loop].pieces;
-  const auto after = std::upper_bound(pieces.begin(), pieces.end(), position,
-                                      [](double s, const Piece& piece) { return s < piece.start; });
-  return static_cast<Index>(std::max<std::ptrdiff_t>(0, after - pieces.begin() - 1));
+double BoundaryCurve::chord(Index loop, Index segment) const {
+  const Loop& on = loops_[loop];
+  return (segment + 1 < segments(loop) ? on.start[segment + 1] : on.length) - on.start[segment];
 }
 
-double BoundaryCurve::position(Index loop, Index segment, double t) const {
-  const Loop& on = loops_[loop];
-  const double s = on.pieces[segment].start + t * on.pieces[segment].length;
+bool BoundaryCurve::is_straight(Index loop, Index segment) const {
+  const std::vector<char>& bent = loops_[loop].bent;
+  return bent.empty() || !bent[segment];
+}
+
+bool BoundaryCurve::is_facet(Index loop, Index segment) const {
+  return region_.loops[loop].curve.empty() && !is_straight(loop, segment);
+}
+
+double BoundaryCurve::position(const BoundaryPlace& place) const {
+  const Loop& on = loops_[place.loop];
+  const double s = on.start[place.segment] + place.t * chord(place.loop, place.segment);
   return s < on.length ? s : s - on.length;
 }
 
-Vec2 BoundaryCurve::polyline_point(Index loop, Index segment, double t) const {
-  const Piece& piece = loops_[loop].pieces[segment];
-  return lerp(piece.a, piece.b, t);
+BoundaryPlace BoundaryCurve::place_at(Index loop, double position) const {
+  const Loop& on = loops_[loop];
+  double s = std::fmod(position, on.length);
+  if (s < 0) s += on.length;
+  const auto after = std::upper_bound(on.start.begin(), on.start.end(), s);
+  const auto segment = static_cast<Index>(std::max<std::ptrdiff_t>(0, after - on.start.begin() - 1));
+  return {loop, segment, std::clamp((s - on.start[segment]) / chord(loop, segment), 0.0, 1.0)};
 }
 
-Vec2 BoundaryCurve::curve_point(Index loop, double position) const {
-  const Piece& piece = loops_[loop].pieces[segment_at(loop, position)];
-  return evaluate(piece, std::clamp((position - piece.start) / piece.length, 0.0, 1.0));
-}
-
-Vec2 BoundaryCurve::evaluate(const Piece& piece, double t) {
-  if (piece.straight) return lerp(piece.a, piece.b, t);
-  const double u = 1 - t;
-  return piece.a * (u * u * (1 + 2 * t)) + piece.b * (t * t * (1 + 2 * u)) + piece.leave * (t * u * u) -
-         piece.arrive * (u * t * t);
-}
-
-Contact BoundaryCurve::nearest_on_piece(Vec2 from, Index loop, Index segment) const {
-  const Piece& piece = loops_[loop].pieces[segment];
-  const Vec2 chord = piece.b - piece.a;
-  double t = std::clamp(dot(from - piece.a, chord) / squared_norm(chord), 0.0, 1.0);
-  if (!piece.straight) {
-    for (int step = 0; step < 12; ++step) {
-      const double u = 1 - t;
-      const Vec2 gap = evaluate(piece, t) - from;
-      const Vec2 velocity =
-          chord * (6 * t * u) + piece.leave * (u * (1 - 3 * t)) + piece.arrive * (t * (3 * t - 2));
-      const Vec2 bend = chord * (6 - 12 * t) + piece.leave * (6 * t - 4) + piece.arrive * (6 * t - 2);
-      const double slope = dot(gap, velocity);
-      double stiffness = squared_norm(velocity) + dot(gap, bend);
-      // Near the centre of curvature the full second derivative vanishes; the chord's alone still points
-      // downhill.
-      if (stiffness < 0.05 * squared_norm(velocity)) stiffness = squared_norm(velocity);
-      const double moved = std::clamp(t - slope / stiffness, 0.0, 1.0);
-      const double change = std::abs(moved - t);
-      t = moved;
-      if (change < 1e-15) break;
-    }
+BoundaryPiece BoundaryCurve::piece(Index loop, Index segment) const {
+  const PlanarLoop& of = region_.loops[loop];
+  const Index next = segment + 1 < segments(loop) ? segment + 1 : 0;
+  BoundaryPiece made;
+  made.a = of.points[segment];
+  made.b = of.points[next];
+  if (!of.curve.empty()) {
+    if (of.curve[segment] == no_index) return made;
+    made.straight = false;
+    made.curve = region_.curves[of.curve[segment]].get();
+    made.from = of.parameters[segment][0];
+    made.to = of.parameters[segment][1];
+    return made;
   }
-  const Vec2 point = evaluate(piece, t);
-  return {loop, segment, t, point, distance(from, point)};
+  if (loops_[loop].tangent.empty()) return made;
+  Vec2 leave = loops_[loop].tangent[segment], arrive = loops_[loop].tangent[next];
+  if (is_zero(leave) && is_zero(arrive)) return made;
+  const Vec2 chord = made.b - made.a;
+  if (is_zero(leave)) leave = mirrored(arrive, chord);
+  if (is_zero(arrive)) arrive = mirrored(leave, chord);
+  const double length = norm(chord);
+  made.straight = std::max(std::abs(cross(leave, chord)), std::abs(cross(arrive, chord))) < 1e-12 * length;
+  // Scaled so that the cubic is a circular arc's best fit: by 1 / cos^2 of half the angle to the chord.
+  made.leave = leave * (2 * length / (1 + dot(leave, chord) / length));
+  made.arrive = arrive * (2 * length / (1 + dot(arrive, chord) / length));
+  return made;
 }
 
-Contact BoundaryCurve::nearest(Vec2 from, const SegmentRun& run) const {
-  const Index n = segments(run.loop);
-  Contact best = nearest_on_piece(from, run.loop, run.segment);
-  Index best_offset = 0;
-  for (Index k = 1; k < run.count; ++k) {
-    const Contact other = nearest_on_piece(from, run.loop, (run.segment + k) % n);
-    if (other.distance < best.distance) best = other, best_offset = k;
+Vec2 BoundaryCurve::point(const BoundaryPlace& place) const {
+  return piece(place.loop, place.segment).at(place.t).point;
+}
+
+Vec2 BoundaryCurve::chord_point(const BoundaryPlace& place) const {
+  const std::vector<Vec2>& points = region_.loops[place.loop].points;
+  const Index next = place.segment + 1 < segments(place.loop) ? place.segment + 1 : 0;
+  return lerp(points[place.segment], points[next], place.t);
+}
+
+double BoundaryCurve::signed_radius(const BoundaryPlace& place, Vec2& inward_normal) const {
+  const CurvePoint p = piece(place.loop, place.segment).at(place.t);
+  const double speed = norm(p.velocity), turn = cross(p.velocity, p.acceleration);
+  inward_normal = left_normal(p.velocity) / speed;
+  return turn == 0 ? std::numeric_limits<double>::infinity() : speed * speed * speed / turn;
+}
+
+double BoundaryCurve::tolerance(Index loop, Index segment) const {
+  const std::vector<float>& of = loops_[loop].tolerance;
+  return of.empty() ? 0 : of[segment];
+}
+
+// Newton on the distance, safeguarded: at a centre of curvature the second derivative vanishes, beyond it the
+// distance has a maximum.
+Contact BoundaryCurve::nearest_on_piece(Vec2 from, const BoundaryPiece& on, const BoundaryPlace& start) {
+  if (on.straight) {
+    const Vec2 chord = on.b - on.a;
+    const double t = std::clamp(dot(from - on.a, chord) / squared_norm(chord), 0.0, 1.0);
+    const Vec2 point = t == 1 ? on.b : on.a + chord * t;
+    return {{start.loop, start.segment, t}, point, distance(from, point)};
   }
-  const int direction = best_offset == run.count - 1 && best.t > 0.5 ? 1
-                        : best_offset == 0 && best.t < 0.5           ? -1
-                                                                     : 0;
-  for (Index k = run.count; direction != 0 && k < n; ++k) {
-    const Index next = (best.segment + direction + n) % n;
-    if (loops_[run.loop].wall_end[direction > 0 ? next : best.segment]) break;
-    const Contact other = nearest_on_piece(from, run.loop, next);
+  double t = start.t;
+  CurvePoint at = on.at(t);
+  constexpr int most_steps = 30;
+  constexpr double longest_step = 0.3;
+  for (int step = 0; step < most_steps; ++step) {
+    const Vec2 gap = at.point - from;
+    const double square = squared_norm(at.velocity);
+    double stiffness = square + dot(gap, at.acceleration);
+    const bool is_quadratic = stiffness >= 0.05 * square;
+    stiffness = stiffness > 0 ? std::max(stiffness, 1e-6 * square) : square;
+    const double wanted = std::clamp(-dot(gap, at.velocity) / stiffness, -longest_step, longest_step);
+    const double moved = std::clamp(t + wanted, 0.0, 1.0), change = std::abs(moved - t);
+    if (change == 0) break;
+    t = moved;
+    at = on.at(t);
+    if (change < (is_quadratic ? 1e-9 : 1e-12)) break;  // after a quadratic step the next is below rounding
+  }
+  return {{start.loop, start.segment, t}, at.point, distance(from, at.point)};
+}
+
+Index BoundaryCurve::neighbour(Index loop, Index segment, int direction) const {
+  const Index n = segments(loop);
+  return direction > 0 ? (segment + 1 < n ? segment + 1 : 0) : (segment > 0 ? segment - 1 : n - 1);
+}
+
+// From one piece to the next while that is nearer; past a convex corner nothing faces the same wall.
+Contact BoundaryCurve::downhill(Vec2 from, Contact best, Index most) const {
+  const Index loop = best.place.loop;
+  for (; most > 0 && (best.place.t == 0 || best.place.t == 1); --most) {
+    const int direction = best.place.t == 1 ? 1 : -1;
+    const Index next = neighbour(loop, best.place.segment, direction);
+    if (loops_[loop].convex_corner[direction > 0 ? next : best.place.segment]) break;
+    const Contact other = nearest_on_piece(from, piece(loop, next), {loop, next, direction > 0 ? 0.0 : 1.0});
     if (!(other.distance < best.distance)) break;
     best = other;
   }
   return best;
 }
 
-double BoundaryCurve::turning(Index loop, double position, double reach) const {
-  const Loop& on = loops_[loop];
-  const Index n = segments(loop), at = segment_at(loop, position);
-  double sum = 0;
-  double ahead = on.pieces[at].start + on.pieces[at].length - position;
-  for (Index k = 1; k <= n && ahead < reach; ++k) {
-    const Index i = (at + k) % n;
-    sum += on.turn[i];
-    ahead += on.pieces[i].length;
+Contact BoundaryCurve::nearest(Vec2 from, const BoundaryPlace& start) const {
+  return downhill(from, nearest_on_piece(from, piece(start.loop, start.segment), start),
+                  segments(start.loop));
+}
+
+Contact BoundaryCurve::nearest(Vec2 from, const SegmentRun& run) const {
+  const std::vector<Vec2>& points = region_.loops[run.loop].points;
+  // By the chords first: only pieces that can bulge up to the nearest one are looked at.
+  constexpr double greatest_bulge = 0.14;  // of the chord: a third of a half circle
+  const bool curved = !loops_[run.loop].bent.empty(), exact = !region_.loops[run.loop].curve.empty();
+  const std::vector<Vec2>& tangent = loops_[run.loop].tangent;
+  double reach = std::numeric_limits<double>::infinity();
+  const auto foot = [&](Index segment, double& t, double& bulge) {
+    const Index next = segment + 1 < segments(run.loop) ? segment + 1 : 0;
+    const Vec2 a = points[segment], chord = points[next] - a;
+    const double square = squared_norm(chord);
+    t = std::clamp(dot(from - a, chord) / square, 0.0, 1.0);
+    if (!curved)
+      bulge = 0;
+    else if (exact)
+      bulge = greatest_bulge * std::sqrt(square);
+    else
+      bulge = 0.5 * std::max(std::abs(cross(tangent[segment], chord)), std::abs(cross(tangent[next], chord)));
+    return distance(from, a + chord * t);
+  };
+  double t, bulge;
+  Index segment = run.segment;
+  for (Index k = 0; k < run.count; ++k, segment = neighbour(run.loop, segment, 1))
+    reach = std::min(reach, foot(segment, t, bulge) + bulge);
+  Contact best;
+  best.distance = std::numeric_limits<double>::infinity();
+  segment = run.segment;
+  for (Index k = 0; k < run.count; ++k, segment = neighbour(run.loop, segment, 1)) {
+    const double to_chord = foot(segment, t, bulge);
+    if (to_chord - bulge > reach) continue;
+    const Contact other = nearest_on_piece(from, piece(run.loop, segment), {run.loop, segment, t});
+    if (other.distance < best.distance) best = other;
   }
-  double behind = position - on.pieces[at].start;
+  return downhill(from, best, segments(run.loop) - run.count);
+}
+
+BoundaryPlace BoundaryCurve::nearest_chord(Vec2 from, const SegmentRun& run) const {
+  const std::vector<Vec2>& points = region_.loops[run.loop].points;
+  BoundaryPlace best{run.loop, run.segment, 0};
+  double least = std::numeric_limits<double>::infinity();
+  Index segment = run.segment;
+  for (Index k = 0; k < run.count; ++k) {
+    const Index next = segment + 1 < segments(run.loop) ? segment + 1 : 0;
+    const Vec2 a = points[segment], chord = points[next] - a;
+    const double t = std::clamp(dot(from - a, chord) / squared_norm(chord), 0.0, 1.0);
+    const double square = squared_norm(a + chord * t - from);
+    if (square < least) least = square, best = {run.loop, segment, t};
+    segment = next;
+  }
+  return best;
+}
+
+const Contact& FootFollower::follow(Vec2 from) {
+  const Index segment = foot_.place.segment;
+  foot_ = BoundaryCurve::nearest_on_piece(from, piece_, foot_.place);
+  if (foot_.place.t > 0 && foot_.place.t < 1) return foot_;
+  foot_ = curve_.downhill(from, foot_, curve_.segments(foot_.place.loop));
+  if (foot_.place.segment != segment) piece_ = curve_.piece(foot_.place.loop, foot_.place.segment);
+  return foot_;
+}
+
+double BoundaryCurve::turning(const BoundaryPlace& place, double reach) const {
+  const PlanarLoop& loop = region_.loops[place.loop];
+  const Index n = segments(place.loop);
+  double sum = 0;
+  Index at = place.segment;
+  double ahead = (1 - place.t) * chord(place.loop, at);
+  for (Index k = 1; k <= n && ahead < reach; ++k) {
+    at = neighbour(place.loop, at, 1);
+    sum += turn(loop, static_cast<std::size_t>(at));
+    ahead += chord(place.loop, at);
+  }
+  at = place.segment;
+  double behind = place.t * chord(place.loop, at);
   for (Index k = 0; k < n && behind <= reach; ++k) {
-    const Index i = (at - k + n) % n;
-    sum += on.turn[i];
-    behind += on.pieces[(i - 1 + n) % n].length;
+    sum += turn(loop, static_cast<std::size_t>(at));
+    at = neighbour(place.loop, at, -1);
+    behind += chord(place.loop, at);
   }
   return sum;
 }

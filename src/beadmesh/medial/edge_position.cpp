@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "beadmesh/medial/medial_object.h"
+#include "beadmesh/medial/radius_along.h"
 
 namespace beadmesh {
 namespace {
@@ -18,7 +19,7 @@ Foot interpolated(const Foot& a, const Foot& b, double t) {
 
 MedialPoint interpolated(const MedialPoint& a, const MedialPoint& b, double t) {
   return {lerp(a.point, b.point, t),
-          a.radius * (1 - t) + b.radius * t,
+          RadiusAlong(a, b).at(t),
           {interpolated(a.feet[0], b.feet[0], t), interpolated(a.feet[1], b.feet[1], t)},
           a.subtended_angle * (1 - t) + b.subtended_angle * t};
 }

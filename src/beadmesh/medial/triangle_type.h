@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "beadmesh/delaunay/boundary_sampling.h"
+#include "beadmesh/delaunay/boundary_samples.h"
 #include "beadmesh/delaunay/triangulation.h"
 
 namespace beadmesh {

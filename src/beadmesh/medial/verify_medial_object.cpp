@@ -16,12 +16,38 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return distance(p, a + along * t);
 }
 
+const PlanarCurve* curve_of(const PlanarRegion& region, const PlanarLoop& loop, std::size_t i) {
+  return loop.curve.empty() || loop.curve[i] == no_index ? nullptr : region.curves[loop.curve[i]].get();
+}
+
+/// Scan and golden section.
+double distance_to_curve(Vec2 p, const PlanarCurve& curve, double from, double to) {
+  constexpr int scanned = 8, halvings = 70;
+  const double golden = (std::sqrt(5.0) - 1) / 2, step = (to - from) / scanned;
+  const auto at = [&](double t) { return distance(p, curve.at(t).point); };
+  int nearest = 0;
+  for (int k = 1; k <= scanned; ++k)
+    if (at(from + k * step) < at(from + nearest * step)) nearest = k;
+  double low = from + std::max(0, nearest - 1) * step, high = from + std::min(scanned, nearest + 1) * step;
+  for (int k = 0; k < halvings; ++k) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    (at(a) < at(b) ? high : low) = at(a) < at(b) ? b : a;
+  }
+  return std::min({at((low + high) / 2), at(from), at(to)});
+}
+
 double distance_to_boundary(Vec2 p, const PlanarRegion& region) {
   double least = std::numeric_limits<double>::infinity();
   for (const PlanarLoop& loop : region.loops)
-    for (std::size_t i = 0; i < loop.points.size(); ++i)
-      least =
-          std::min(least, distance_to_segment(p, loop.points[i], loop.points[(i + 1) % loop.points.size()]));
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec2 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
+      const double chord = distance_to_segment(p, a, b);
+      const PlanarCurve* curve = curve_of(region, loop, i);
+      if (!curve)
+        least = std::min(least, chord);
+      else if (chord - distance(a, b) < least)
+        least = std::min(least, distance_to_curve(p, *curve, loop.parameters[i][0], loop.parameters[i][1]));
+    }
   return least;
 }
 
@@ -35,13 +61,18 @@ bool is_inside(Vec2 p, const PlanarRegion& region) {
   return inside;
 }
 
-/// The point of a loop's polyline at an arc length.
-Vec2 point_of_loop(const PlanarLoop& loop, double position) {
+/// The point of a loop at an arc length of its polyline: on the exact curve where there is one.
+Vec2 point_of_loop(const PlanarRegion& region, const PlanarLoop& loop, double position) {
   const std::size_t n = loop.points.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 a = loop.points[i], b = loop.points[(i + 1) % n];
     const double length = distance(a, b);
-    if (position <= length) return lerp(a, b, length > 0 ? position / length : 0);
+    if (position <= length) {
+      const double part = length > 0 ? position / length : 0;
+      const PlanarCurve* curve = curve_of(region, loop, i);
+      if (!curve) return lerp(a, b, part);
+      return curve->at(loop.parameters[i][0] * (1 - part) + loop.parameters[i][1] * part).point;
+    }
     position -= length;
   }
   return loop.points[0];
@@ -195,7 +226,8 @@ class Verifier {
         note(name + ": foot on no loop");
         continue;
       }
-      if (distance(point_of_loop(region_.loops[foot.loop], foot.position), foot.point) > 1e-9 * object_.size)
+      const Vec2 there = point_of_loop(region_, region_.loops[foot.loop], foot.position);
+      if (distance(there, foot.point) > std::max(tolerance_, 1e-9 * object_.size))
         note(name + ": foot is not at its position");
       const double reach = distance(foot.point, centre);
       if (reach < radius - tolerance_ || (touches_all && reach > radius + tolerance_))

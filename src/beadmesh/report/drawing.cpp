@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace beadmesh::drawing {
 namespace {
@@ -72,9 +73,9 @@ Color shaded(Color color, double factor) {
 }
 
 Color ramp(double t) {
-  constexpr Color stops[] = {{0, 34, 78},     {53, 69, 108},   {102, 105, 112},
-                             {148, 142, 119}, {200, 184, 102}, {254, 232, 56}};
-  constexpr int last = 5;
+  constexpr Color stops[] = {{68, 1, 84},    {72, 40, 120},  {62, 74, 137},  {49, 104, 142}, {38, 130, 142},
+                             {31, 158, 137}, {53, 183, 121}, {109, 205, 89}, {180, 222, 44}, {253, 231, 37}};
+  constexpr int last = 9;
   const double at = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0) * last;
   const int i = std::min(static_cast<int>(at), last - 1);
   const auto mix = [&](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * (at - i))); };
@@ -98,6 +99,35 @@ void Path::polyline(const std::vector<Vec2>& points, bool closed) {
     x = next_x, y = next_y;
   }
   if (closed && !points.empty()) text_ += 'z';
+}
+
+std::vector<Vec2> thinned(const std::vector<Vec2>& points, double tolerance) {
+  if (points.size() < 3) return points;
+  std::vector<bool> kept(points.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<size_t, size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    const Vec2 chord = points[last] - points[first];
+    const double length = squared_norm(chord);
+    size_t worst = first;
+    double farthest = tolerance;
+    for (size_t i = first + 1; i < last; ++i) {
+      const Vec2 d = points[i] - points[first];
+      const double along = length > 0 ? std::clamp(dot(d, chord) / length, 0.0, 1.0) : 0;
+      const double gap = norm(d - chord * along);
+      if (gap > farthest) farthest = gap, worst = i;
+    }
+    if (worst == first) continue;
+    kept[worst] = true;
+    open.emplace_back(first, worst);
+    open.emplace_back(worst, last);
+  }
+  std::vector<Vec2> result;
+  for (size_t i = 0; i < points.size(); ++i)
+    if (kept[i]) result.push_back(points[i]);
+  return result;
 }
 
 double round_length(double length) {

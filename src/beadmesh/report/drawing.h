@@ -19,8 +19,8 @@ struct Color {
 std::string hex(Color color);
 /// Every channel times `factor`, clamped.
 Color shaded(Color color, double factor);
-/// Dark blue to yellow for t in [0, 1], readable with any colour vision and in grey (after the map "cividis",
-/// Nunez et al. 2018).
+/// Dark violet over blue and green to yellow for t in [0, 1]: even steps look even, with any colour vision
+/// and in grey (after the map "viridis", van der Walt and Smith 2015).
 Color ramp(double t);
 
 /// Path data in hundredths of a pixel, relative and without blanks where none is needed: a fifth of the plain
@@ -36,6 +36,10 @@ class Path {
 
   std::string text_;
 };
+
+/// The points without those that lie within `tolerance` of the line through what is left (Douglas and Peucker
+/// 1973); both ends stay.
+std::vector<Vec2> thinned(const std::vector<Vec2>& points, double tolerance);
 
 /// A round length (1, 2 or 5 times a power of ten) not above `length`.
 double round_length(double length);

@@ -5,10 +5,6 @@
 namespace beadmesh::json {
 namespace {
 
-std::string text_of(const Value& value) {
-  return value.dump(-1, ' ', false, Value::error_handler_t::replace);
-}
-
 bool is_list_of_objects(const Value& value) {
   return value.is_array() && !value.empty() && value.front().is_object();
 }
@@ -20,6 +16,10 @@ std::string list_text(const Value& list) {
 }
 
 }  // namespace
+
+std::string text_of(const Value& value) {
+  return value.dump(-1, ' ', false, Value::error_handler_t::replace);
+}
 
 Value number(double value) {
   if (!std::isfinite(value)) return nullptr;

@@ -22,6 +22,8 @@ Value diagnostic(const Diagnostic& diagnostic);
 Value diagnostics(const std::vector<Diagnostic>& all);
 Value quality(const QualitySummary& summary);
 
+/// Text of a value on one line; what is not UTF-8 is replaced.
+std::string text_of(const Value& value);
 /// Text of an object: a line for each of its values, and for each item of arrays of objects. Ends in a line
 /// break; text that is not UTF-8 is replaced.
 std::string lines_of(const Value& object);
