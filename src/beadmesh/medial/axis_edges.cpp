@@ -98,12 +98,19 @@ class EdgePlacer {
     return true;
   }
 
+  /// A foot that came to the back of a wall, around a concave corner, is no contact.
+  bool is_before_walls(const AxisPoint& point) const {
+    for (const BoundaryPlace& foot : point.feet)
+      if (foot.t > 0 && foot.t < 1 && !curve_.is_before(point.circle.centre, foot)) return false;
+    return true;
+  }
+
   /// Polished, and no other place of the runs is nearer: on an exact curve a long run may have several places
   /// that are nearer than those around them.
   bool polish_between(const std::array<SegmentRun, 2>& runs, AxisPoint& point) const {
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
-      if (!polish(curve_, point)) return false;
+      if (!polish(curve_, point) || !is_before_walls(point)) return false;
       bool is_nearest = true;
       for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         if (!curve_.is_exact(runs[side].loop)) continue;

@@ -22,11 +22,14 @@ double AxisRefiner::allowed(const AxisPoint& point) const {
 /// feet are one point there is no direction.
 bool AxisRefiner::may_be_off(const AxisPoint& from, const AxisPoint& to) const {
   const Vec2 line = to.circle.centre - from.circle.centre;
-  const double limit =
-      2 * chord_;  // an arc is off by a quarter of what its end's tangent is off at the other end
+  // An arc is off by a quarter of what its end's tangent is off at the other end.
+  const double limit = 2 * chord_;
   const auto is_off = [&](const AxisPoint& point) {
     const double width = squared_norm(point.across), along = dot(line, point.across);
-    return width > 4e-4 * point.circle.radius * point.circle.radius && along * along > limit * limit * width;
+    if (!(width > 4e-4 * point.circle.radius * point.circle.radius)) return false;
+    if (along * along <= limit * limit * width) return false;
+    const double open = 2 * allowed(point);
+    return along * along > open * open * width;
   };
   return is_off(from) || is_off(to);
 }

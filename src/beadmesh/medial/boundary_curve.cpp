@@ -230,6 +230,11 @@ Vec2 BoundaryCurve::chord_point(const BoundaryPlace& place) const {
   return lerp(points[place.segment], points[next], place.t);
 }
 
+bool BoundaryCurve::is_before(Vec2 point, const BoundaryPlace& place) const {
+  const CurvePoint at = piece(place.loop, place.segment).at(place.t);
+  return cross(at.velocity, point - at.point) >= 0;
+}
+
 double BoundaryCurve::signed_radius(const BoundaryPlace& place, Vec2& inward_normal) const {
   const CurvePoint p = piece(place.loop, place.segment).at(place.t);
   const double speed = norm(p.velocity), turn = cross(p.velocity, p.acceleration);
@@ -333,6 +338,8 @@ Contact BoundaryCurve::nearest(Vec2 from, const SegmentRun& run) const {
 
 BoundaryPlace BoundaryCurve::nearest_chord(Vec2 from, const SegmentRun& run) const {
   const std::vector<Vec2>& points = region_.loops[run.loop].points;
+  constexpr double from_behind = 1e6;
+  const double region_square = size_ * size_;
   BoundaryPlace best{run.loop, run.segment, 0};
   double least = std::numeric_limits<double>::infinity();
   Index segment = run.segment;
@@ -340,7 +347,9 @@ BoundaryPlace BoundaryCurve::nearest_chord(Vec2 from, const SegmentRun& run) con
     const Index next = segment + 1 < segments(run.loop) ? segment + 1 : 0;
     const Vec2 a = points[segment], chord = points[next] - a;
     const double t = std::clamp(dot(from - a, chord) / squared_norm(chord), 0.0, 1.0);
-    const double square = squared_norm(a + chord * t - from);
+    double square = squared_norm(a + chord * t - from);
+    // The back of a wall, around a concave corner, is no contact; where all are seen from behind, any start will do.
+    if (t > 0 && t < 1 && cross(chord, from - a) < 0) square += from_behind * region_square;
     if (square < least) least = square, best = {run.loop, segment, t};
     segment = next;
   }

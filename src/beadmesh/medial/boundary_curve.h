@@ -71,6 +71,8 @@ class BoundaryCurve {
   /// On the curve, and on the chord.
   Vec2 point(const BoundaryPlace& place) const;
   Vec2 chord_point(const BoundaryPlace& place) const;
+  /// Whether a point is on the region's side of the boundary at a place.
+  bool is_before(Vec2 point, const BoundaryPlace& place) const;
   /// Radius of curvature at a place, positive where the region is convex there, infinite where it is
   /// straight.
   double signed_radius(const BoundaryPlace& place, Vec2& inward_normal) const;
