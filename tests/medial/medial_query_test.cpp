@@ -133,7 +133,8 @@ RC_GTEST_PROP(MedialQuery, AgreesWithBruteForce, ()) {
     }
   RC_ASSERT(std::abs(query.nearest(p)->gap - gap) < 0.05);
   const auto local = query.thickness_at(p);
-  // What the samples of the axis find is a bound from below: a disc between two of them may hold p and be larger.
+  // What the samples of the axis find is a bound from below: a disc between two of them may hold p and be
+  // larger.
   if (thickness > 0) {
     RC_ASSERT(local->outside == 0);
     RC_ASSERT(local->thickness > thickness - 1e-9);

@@ -121,6 +121,9 @@ RC_GTEST_PROP(PositionAt, InvertsTheArcLength, ()) {
 class Circle : public CurveEvaluator {
  public:
   Vec3 point(double t) const override { return {std::cos(t), std::sin(t), 0}; }
+  SpaceCurvePoint at(double t) const override {
+    return {point(t), {-std::sin(t), std::cos(t), 0}, -point(t)};
+  }
 };
 
 TEST(PointAt, IsOnTheCurveWhereThereIsOne) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "beadmesh/bead/plane_curves.h"
 #include "beadmesh/flatten/cut_open.h"
 #include "beadmesh/flatten/flat_region.h"
 
@@ -76,6 +77,15 @@ class OpenedJoints {
     return angles;
   }
 
+  /// The edge under the segment of the boundary from one vertex to the next.
+  std::optional<EdgeSegment> segment(const Facets& facets, Index from, Index to) const {
+    const auto run = find(facets, from, to);
+    if (!run) return std::nullopt;
+    const EdgeUse& use = uses_[run->use];
+    const auto last = static_cast<Index>(panel_.edges[use.edge].points.size()) - 2;
+    return EdgeSegment{use.edge, use.reversed ? last - run->step : run->step, use.reversed};
+  }
+
  private:
   struct Run {
     Index use, step;
@@ -145,6 +155,10 @@ Result<std::unique_ptr<FaceStudy>> study_opened_face(const Panel& panel, Index f
   for (const auto& loop : study->facets.loops)
     study->joint_angles.push_back(joints.of_loop(study->facets, study->flat, loop));
   study->region = flat_region(study->facets, study->flat, corners_over(study->joint_angles, corner_angle));
+  add_plane_curves(*study, panel, [&](std::size_t l, std::size_t i) {
+    const std::vector<Index>& loop = study->facets.loops[l];
+    return joints.segment(study->facets, loop[i], loop[(i + 1) % loop.size()]);
+  });
   return study;
 }
 

@@ -35,7 +35,8 @@ Result<std::unique_ptr<FaceStudy>> study_faces(const Panel& panel, const std::ve
                                                double corner_angle = radians(20));
 
 /// One face, opened so that it can be laid flat (flatten/cut_open.h): a seam is closed where that can be
-/// done, what closes around itself is cut. Where a cut meets the boundary is a corner. Fails with flatten.*.
+/// done, what closes around itself is cut. Where a cut meets the boundary is a corner. A plane face keeps the
+/// exact curves of its edges (plane_curves.h). Fails with flatten.*.
 Result<std::unique_ptr<FaceStudy>> study_opened_face(const Panel& panel, Index face,
                                                      double corner_angle = radians(20));
 

@@ -348,7 +348,8 @@ BoundaryPlace BoundaryCurve::nearest_chord(Vec2 from, const SegmentRun& run) con
     const Vec2 a = points[segment], chord = points[next] - a;
     const double t = std::clamp(dot(from - a, chord) / squared_norm(chord), 0.0, 1.0);
     double square = squared_norm(a + chord * t - from);
-    // The back of a wall, around a concave corner, is no contact; where all are seen from behind, any start will do.
+    // The back of a wall, around a concave corner, is no contact; where all are seen from behind, any start
+    // will do.
     if (t > 0 && t < 1 && cross(chord, from - a) < 0) square += from_behind * region_square;
     if (square < least) least = square, best = {run.loop, segment, t};
     segment = next;

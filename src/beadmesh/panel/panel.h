@@ -11,11 +11,17 @@
 
 namespace beadmesh {
 
+/// A point of a curve in space and its first two derivatives by the parameter.
+struct SpaceCurvePoint {
+  Vec3 point, velocity, acceleration;
+};
+
 /// The exact curve under an edge. Const calls are safe from several threads.
 class CurveEvaluator {
  public:
   virtual ~CurveEvaluator() = default;
   virtual Vec3 point(double t) const = 0;
+  virtual SpaceCurvePoint at(double t) const = 0;
 };
 
 /// An edge of the B-rep, facetted once for all faces around it.

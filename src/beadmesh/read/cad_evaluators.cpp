@@ -7,7 +7,7 @@
 namespace beadmesh {
 namespace {
 
-// D0 and D1 of Geom curves and surfaces keep no state between calls, unlike the adaptors, which cache spans.
+// D0 to D2 of Geom curves and surfaces keep no state between calls, unlike the adaptors, which cache spans.
 
 class CadCurve : public CurveEvaluator {
  public:
@@ -16,6 +16,12 @@ class CadCurve : public CurveEvaluator {
     gp_Pnt p;
     curve_->D0(t, p);
     return {p.X(), p.Y(), p.Z()};
+  }
+  SpaceCurvePoint at(double t) const override {
+    gp_Pnt p;
+    gp_Vec v, a;
+    curve_->D2(t, p, v, a);
+    return {{p.X(), p.Y(), p.Z()}, {v.X(), v.Y(), v.Z()}, {a.X(), a.Y(), a.Z()}};
   }
 
  private:
