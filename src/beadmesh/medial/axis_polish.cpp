@@ -64,7 +64,7 @@ bool polish(const BoundaryCurve& curve, AxisPoint& point) {
   constexpr double least_apart = 4e-4;  // square of the distance of the unit vectors: about one degree
   constexpr int most_rounds = 20, patience = 6;
   const Vec2 start = point.circle.centre;
-  const double reach = point.circle.radius, precise = 1e-15 * curve.size();
+  const double reach = point.circle.radius, precise = 2e-14 * curve.size();
   FootFollower left(curve, point.feet[0]), right(curve, point.feet[1]);
   Vec2 centre = start;
   AxisPoint best;

@@ -48,17 +48,27 @@ double AxisRefiner::points_wanted(const PlacedEdge& points) const {
 bool AxisRefiner::point_between(const AxisPoint& from, const AxisPoint& to, AxisPoint& middle) const {
   middle.circle = {lerp(from.circle.centre, to.circle.centre, 0.5),
                    (from.circle.radius + to.circle.radius) / 2};
+  const auto is_one_piece = [&](std::size_t side) {
+    return from.feet[side].segment == to.feet[side].segment;
+  };
   const auto nearest = [&](std::size_t side) {
     const Contact a = curve_.nearest(middle.circle.centre, from.feet[side]);
     const Contact b = curve_.nearest(middle.circle.centre, to.feet[side]);
     return a.distance <= b.distance ? a : b;
   };
-  middle.feet = {nearest(0).place, nearest(1).place};
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    middle.feet[side] = from.feet[side];
+    if (is_one_piece(side))
+      middle.feet[side].t = (from.feet[side].t + to.feet[side].t) / 2;
+    else
+      middle.feet[side] = nearest(side).place;
+  }
   if (!polish(curve_, middle)) return false;
   // Where a branch was pruned the feet jump: a point may then be between two places of which one is not
   // nearest.
   const double least = middle.circle.radius - 1e-12 * curve_.size();
-  return nearest(0).distance >= least && nearest(1).distance >= least;
+  return (is_one_piece(0) || nearest(0).distance >= least) &&
+         (is_one_piece(1) || nearest(1).distance >= least);
 }
 
 void AxisRefiner::refine_line(const AxisPoint& from, const AxisPoint& to, int depth) {

@@ -271,7 +271,8 @@ Contact BoundaryCurve::nearest_on_piece(Vec2 from, const BoundaryPiece& on, cons
     if (change == 0) break;
     t = moved;
     at = on.at(t);
-    if (change < (is_quadratic ? 1e-9 : 1e-12)) break;  // after a quadratic step the next is below rounding
+    // After a quadratic step the next is the square of it, and the distance does not feel the square of that.
+    if (change < (is_quadratic ? 1e-5 : 1e-12)) break;
   }
   return {{start.loop, start.segment, t}, at.point, distance(from, at.point)};
 }
