@@ -133,7 +133,7 @@ Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options) 
 Result<MedialObject> medial_object_of_bead(const PlanarRegion& region) {
   MedialOptions options;
   options.merge_crossings = true;
-  options.chord = 1e-4 * diagonal(region);
+  options.chord = 1e-2 * diagonal(region);  // the points of the samples are as near as elements get
   return medial_object(region, options);
 }
 

@@ -44,7 +44,7 @@ struct LocalThickness {
 
 /// Answers in about the logarithm of the number of axis points. Keeps a reference: the object must outlive
 /// it. Const calls are safe from several threads. Between the points of an edge the axis and its radius are
-/// taken as straight, as by point_at.
+/// taken as straight (point_at takes the cubic that its slopes tell).
 class MedialQuery {
  public:
   explicit MedialQuery(const MedialObject& object);
