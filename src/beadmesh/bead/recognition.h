@@ -19,8 +19,8 @@ struct BeadOptions {
 /// (bead.loops, bead.corner).
 Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options = {});
 
-/// The medial object as recognition and blocks want it: a crossing is one junction, and its lines are as fine
-/// as a mesh can see.
+/// The medial object as recognition and blocks want it: a crossing is one junction, and edges have no more
+/// points than the samples ask for.
 Result<MedialObject> medial_object_of_bead(const PlanarRegion& region);
 
 /// Measures, classifies and names the bead. `id` and the number of the faces are the caller's. Fails with the
