@@ -27,12 +27,9 @@ CurvePoint BoundaryPiece::at(double t) const {
     const CurvePoint p = curve->at(from + t * scale);
     return {p.point, p.velocity * scale, p.acceleration * (scale * scale)};
   }
-  const Vec2 chord = b - a;
-  if (straight) return {lerp(a, b, t), chord, {}};
-  const double u = 1 - t;
-  return {a * (u * u * (1 + 2 * t)) + b * (t * t * (1 + 2 * u)) + leave * (t * u * u) - arrive * (u * t * t),
-          chord * (6 * t * u) + leave * (u * (1 - 3 * t)) + arrive * (t * (3 * t - 2)),
-          chord * (6 - 12 * t) + leave * (6 * t - 4) + arrive * (6 * t - 2)};
+  if (straight) return {lerp(a, b, t), b - a, {}};
+  const Vec2 bend = quadratic + cubic * (3 * t);
+  return {a + (linear + (quadratic + cubic * t) * t) * t, linear + (quadratic + bend) * t, bend * 2};
 }
 
 BoundaryCurve::BoundaryCurve(const PlanarRegion& region, double corner_angle)
@@ -215,8 +212,11 @@ BoundaryPiece BoundaryCurve::piece(Index loop, Index segment) const {
   const double length = norm(chord);
   made.straight = std::max(std::abs(cross(leave, chord)), std::abs(cross(arrive, chord))) < 1e-12 * length;
   // Scaled so that the cubic is a circular arc's best fit: by 1 / cos^2 of half the angle to the chord.
-  made.leave = leave * (2 * length / (1 + dot(leave, chord) / length));
-  made.arrive = arrive * (2 * length / (1 + dot(arrive, chord) / length));
+  leave = leave * (2 * length / (1 + dot(leave, chord) / length));
+  arrive = arrive * (2 * length / (1 + dot(arrive, chord) / length));
+  made.linear = leave;
+  made.quadratic = chord * 3 - leave * 2 - arrive;
+  made.cubic = leave + arrive - chord * 2;
   return made;
 }
 

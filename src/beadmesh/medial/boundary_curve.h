@@ -25,7 +25,7 @@ struct Contact {
 /// A segment's geometry, made when it is needed: the boundary itself is kept small.
 struct BoundaryPiece {
   Vec2 a, b;
-  Vec2 leave, arrive;  ///< Hermite tangents of a cubic
+  Vec2 linear, quadratic, cubic;  ///< coefficients of a cubic from a
   bool straight = true;
   const PlanarCurve* curve = nullptr;
   double from = 0, to = 0;  ///< parameters of the curve
