@@ -151,12 +151,15 @@ void BoundaryCurve::measure_deviations(std::size_t l, std::vector<double>& wobbl
       wobble.push_back(std::abs(deviation[i] - (deviation[before] + deviation[next]) / 2));
     }
   if (greatest == 0) return;
+  // A deviation is four times the facets' bulge. Where the curve is known, one and a half bulges are what
+  // samples may be wrong by; a facetted curve may be off by more.
+  const double share = loop.curve.empty() ? 1.25 : 0.375;
   std::vector<float>& tolerance = loops_[l].tolerance;
   tolerance.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     double most = 0;
     for (std::size_t k = 0; k < 6; ++k) most = std::max(most, std::abs(deviation[(i + n * 6 + k - 2) % n]));
-    tolerance[i] = static_cast<float>(1.25 * most);
+    tolerance[i] = static_cast<float>(share * most);
   }
 }
 
