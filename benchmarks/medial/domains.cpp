@@ -167,15 +167,4 @@ double distance_to_outline(const Domain& domain, double angle, Vec2 p) {
   return least;
 }
 
-bool is_inside(const PlanarRegion& region, Vec2 p) {
-  bool inside = false;
-  for (const PlanarLoop& loop : region.loops)
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const Vec2 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      inside ^= (cross(b - a, p - a) > 0) == (b.y > a.y);
-    }
-  return inside;
-}
-
 }  // namespace beadmesh::bench

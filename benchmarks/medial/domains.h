@@ -42,7 +42,5 @@ PlanarRegion cut(const Domain& domain, int segments, double angle);
 PlanarRegion exact(const Domain& domain, double angle);
 /// From the outline, turned by `angle`.
 double distance_to_outline(const Domain& domain, double angle, Vec2 p);
-/// By the parity of crossings of a ray.
-bool is_inside(const PlanarRegion& region, Vec2 p);
 
 }  // namespace beadmesh::bench

@@ -38,7 +38,7 @@ double worst_error(const Domain& domain, const std::vector<Disc>& discs, double 
   double worst = 0;
   for (std::size_t i = 0; i < discs.size(); i += step) {
     const Disc& disc = discs[i];
-    if (disc.radius < 1e-3 * size || !is_inside(polygon, disc.centre)) continue;
+    if (disc.radius < 1e-3 * size || !contains(polygon, disc.centre)) continue;
     worst = std::max(worst, std::abs(disc.radius - distance_to_outline(domain, angle, disc.centre)));
   }
   return worst / size;

@@ -30,6 +30,15 @@ TEST(PlanarRegion, area_and_diagonal) {
   EXPECT_EQ(diagonal({}), 0);
 }
 
+TEST(PlanarRegion, contains_what_is_inside_the_outer_loop_and_in_no_hole) {
+  const PlanarRegion ring = region({square(0, 0, 10), square(3, 3, 4)});
+  EXPECT_TRUE(contains(ring, {1, 5}));
+  EXPECT_TRUE(contains(ring, {1, 3})) << "level with corners of the hole";
+  EXPECT_FALSE(contains(ring, {5, 5}));
+  EXPECT_FALSE(contains(ring, {-1, 3}));
+  EXPECT_FALSE(contains(ring, {11, 7}));
+}
+
 TEST(PlanarRegion, orders_and_orients) {
   const auto checked =
       checked_region(region({square(1, 1, 2), reversed(square(0, 0, 9)), reversed(square(5, 5, 2))}));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "beadmesh/medial/axis_polish.h"
+#include "medial/exact_region.h"
 #include "medial/shapes.h"
 
 namespace beadmesh {
@@ -45,7 +46,7 @@ TEST(AxisRefiner, LeavesAStraightAxisAlone) {
 }
 
 TEST(AxisRefiner, GoesAroundAClosedEdge) {
-  const BoundaryCurve curve(shapes::exact_annulus(50, 30), radians(160));
+  const BoundaryCurve curve(exact_shapes::annulus(50, 30, {}), radians(160));
   PlacedEdge points;
   for (int i = 0; i < 12; ++i) {
     const Vec2 at = Vec2{std::cos(-i * pi / 6), std::sin(-i * pi / 6)} * 40;

@@ -10,9 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "beadmesh/delaunay/planar_region.h"
+#include "medial/shapes.h"
 
 namespace beadmesh::exact_shapes {
+
+using shapes::comb_corners;
 
 /// Whether the region knows its curves, and how densely they are sampled.
 struct Accuracy {
@@ -186,21 +188,6 @@ inline PlanarRegion gasket(const Accuracy& accuracy = {}) {
       LoopBuilder(region, accuracy).circle(centre, 5 + 0.3 * ((row + column) % 3)).close();
     }
   return finished(std::move(region), accuracy);
-}
-
-/// A spine from (0, 0) to (end, width) above teeth of the same width, `length`
-/// long; the outer ones are flush.
-inline std::vector<Vec2> comb_corners(int teeth, double width, double pitch, double length) {
-  const double end = (teeth - 1) * pitch + width;
-  std::vector<Vec2> corners{{end, width}, {0, width}};
-  for (int k = 0; k < teeth; ++k) {
-    const double x = k * pitch;
-    if (k > 0) corners.push_back({x, 0});
-    corners.push_back({x, -length});
-    corners.push_back({x + width, -length});
-    if (k + 1 < teeth) corners.push_back({x + width, 0});
-  }
-  return corners;
 }
 
 /// Turned by `angle` about the origin, then scaled, then shifted.

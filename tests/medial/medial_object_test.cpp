@@ -84,6 +84,14 @@ TEST(MedialObject, SquareHasOneJunctionOfDegreeFour) {
   EXPECT_EQ(counts(object), (Counts{{"C", 4}, {"J", 1}, {"C-J", 4}}));
 }
 
+TEST(MedialObject, JunctionsThatAreNearButNotOneStayTwo) {
+  for (const double longer : {1e-3, 1e-5}) {
+    const MedialObject object = exact_medial_of(shapes::rectangle(20 + longer, 20));
+    EXPECT_EQ(counts(object), (Counts{{"C", 4}, {"J", 2}, {"C-J", 4}, {"J-J", 1}})) << longer;
+    for (const MedialVertex& vertex : object.vertices) EXPECT_FALSE(vertex.merged);
+  }
+}
+
 TEST(MedialObject, Trapezium) {
   const MedialObject object = exact_medial_of(shapes::region_of({{{0, 0}, {120, 0}, {90, 30}, {20, 30}}}));
   EXPECT_EQ(counts(object), (Counts{{"C", 4}, {"J", 2}, {"C-J", 4}, {"J-J", 1}}));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "medial/exact_region.h"
 #include "medial/shapes.h"
 
 namespace beadmesh {
@@ -11,7 +12,7 @@ constexpr double corner_angle = radians(160);
 
 TEST(OsculatingCircle, AtTheVertexOfAnEllipse) {
   const double a = 100, b = 60;
-  const BoundaryCurve curve(shapes::exact_ellipse(a, b, 64, 0.03), corner_angle);
+  const BoundaryCurve curve(exact_shapes::ellipse(a, b, {true, radians(5), 0.3}), corner_angle);
   const double length = curve.length(0);
   BoundaryPlace vertex;
   const auto circle = osculating_circle(curve, {0, length - 60, length + 70}, {{62, 1}, 37}, vertex);
@@ -22,7 +23,7 @@ TEST(OsculatingCircle, AtTheVertexOfAnEllipse) {
 }
 
 TEST(OsculatingCircle, OfAnArcAnywhere) {
-  const BoundaryCurve curve(shapes::exact_stadium(100, 8), corner_angle);
+  const BoundaryCurve curve(exact_shapes::stadium(100, 8), corner_angle);
   const double start = 100;  // of the first half circle
   BoundaryPlace vertex;
   const auto circle = osculating_circle(curve, {0, start - 5, start + 28}, {{99, 0.5}, 8.2}, vertex);
@@ -40,7 +41,7 @@ TEST(OsculatingCircle, NothingOnFacetsAndLines) {
 }
 
 TEST(OsculatingCircle, NothingWhereTheCurvatureOnlyGrows) {
-  const BoundaryCurve curve(shapes::exact_ellipse(100, 60, 64), corner_angle);
+  const BoundaryCurve curve(exact_shapes::ellipse(100, 60), corner_angle);
   BoundaryPlace vertex;
   EXPECT_FALSE(osculating_circle(curve, {0, 20, 80}, {{62, 1}, 37}, vertex));
 }

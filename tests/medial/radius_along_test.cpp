@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "medial/shapes.h"
+#include "medial/exact_region.h"
 
 namespace beadmesh {
 namespace {
@@ -43,7 +43,7 @@ TEST(RadiusAlong, WithoutFeetOnTheCircleItIsALine) {
 }
 
 TEST(RadiusAlong, ThicknessOfAnEllipseIsItsMinorAxis) {
-  const auto object = medial_object(checked_region(shapes::exact_ellipse(50, 25, 48, 0.37)).value());
+  const auto object = medial_object(exact_shapes::ellipse(50, 25, {true, radians(7.5), 0.37}));
   ASSERT_TRUE(object);
   ASSERT_EQ(object->edges.size(), 1u);
   EXPECT_NEAR(object->edges[0].thickness.max, 50, 1e-3);

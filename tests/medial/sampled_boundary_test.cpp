@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "medial/exact_region.h"
 #include "medial/shapes.h"
 
 namespace beadmesh {
@@ -109,7 +110,7 @@ TEST(SampledBoundary, FacetsThatAreFineAreNotSplit) {
 }
 
 TEST(SampledBoundary, NewSamplesLieOnAnExactCurve) {
-  const Sampled disc(shapes::exact_annulus(50, 40, {6, -1}));
+  const Sampled disc(exact_shapes::annulus(50, 40, {6, -1}));
   disc.verify();
   EXPECT_GT(disc.count(), 200);
   for (const BoundarySample& sample : disc.samples())
@@ -144,7 +145,7 @@ TEST(SampledBoundary, NeedlesAndSlitsAreNoThickness) {
 TEST(SampledBoundary, TheNumberOfSamplesIsBounded) {
   SamplingOptions options;
   options.max_samples = 50;
-  const BoundaryCurve curve(shapes::exact_annulus(50, 49.9), radians(160));
+  const BoundaryCurve curve(exact_shapes::annulus(50, 49.9, {}), radians(160));
   const auto sampled = sampled_boundary(curve, options);
   ASSERT_FALSE(sampled);
   EXPECT_EQ(sampled.error().code, "medial.too_many_samples");

@@ -123,77 +123,6 @@ inline PlanarRegion annulus(double outer, double inner, Vec2 inner_centre = {},
   return region_of({circle({0, 0}, outer, facetting), circle(inner_centre, inner, facetting)}, true);
 }
 
-/// A circle that is known exactly, given by evenly spaced points; clockwise for a hole.
-inline PlanarLoop exact_circle(PlanarRegion& region, Vec2 centre, double radius, int points, bool is_hole) {
-  const auto id = static_cast<Index>(region.curves.size());
-  region.curves.push_back(std::make_shared<CircularArc>(centre, radius));
-  PlanarLoop loop;
-  for (int i = 0; i < points; ++i) {
-    const double step = (is_hole ? -2 : 2) * pi / points, from = 0.1 + i * step;
-    loop.points.push_back(centre + Vec2{std::cos(from), std::sin(from)} * radius);
-    loop.curve.push_back(id);
-    loop.parameters.push_back({from, from + step});
-  }
-  loop.corner.assign(points, false);
-  return loop;
-}
-
-inline PlanarRegion exact_annulus(double outer, double inner, Vec2 inner_centre = {}, int points = 48) {
-  PlanarRegion region;
-  region.loops.push_back(exact_circle(region, {0, 0}, outer, points, false));
-  region.loops.push_back(exact_circle(region, inner_centre, inner, points, true));
-  return region;
-}
-
-/// Of half axes a and b; the parameter is the eccentric angle.
-class EllipticArc final : public PlanarCurve {
- public:
-  EllipticArc(double a, double b) : a_(a), b_(b) {}
-  CurvePoint at(double t) const override {
-    const Vec2 point{a_ * std::cos(t), b_ * std::sin(t)};
-    return {point, {-a_ * std::sin(t), b_ * std::cos(t)}, -point};
-  }
-
- private:
-  double a_, b_;
-};
-
-inline PlanarRegion exact_ellipse(double a, double b, int points, double phase = 0) {
-  PlanarRegion region;
-  region.curves.push_back(std::make_shared<EllipticArc>(a, b));
-  PlanarLoop& loop = region.loops.emplace_back();
-  for (int i = 0; i < points; ++i) {
-    const double from = phase + 2 * pi * i / points;
-    loop.points.push_back(region.curves[0]->at(from).point);
-    loop.curve.push_back(0);
-    loop.parameters.push_back({from, phase + 2 * pi * (i + 1) / points});
-  }
-  loop.corner.assign(points, false);
-  return region;
-}
-
-/// Two straight sides of length `length` at y = -r and r, and two half circles of `facets` segments each.
-inline PlanarRegion exact_stadium(double length, double r, int facets = 12) {
-  PlanarRegion region;
-  PlanarLoop& loop = region.loops.emplace_back();
-  for (const double x : {length, 0.0}) {
-    const double start = x > 0 ? -pi / 2 : pi / 2;
-    loop.points.push_back({length - x, x > 0 ? -r : r});
-    loop.curve.push_back(no_index);
-    loop.parameters.push_back({0, 0});
-    const auto id = static_cast<Index>(region.curves.size());
-    region.curves.push_back(std::make_shared<CircularArc>(Vec2{x, 0}, r));
-    for (int i = 0; i < facets; ++i) {
-      const double from = start + pi * i / facets;
-      loop.points.push_back(Vec2{x, 0} + Vec2{std::cos(from), std::sin(from)} * r);
-      loop.curve.push_back(id);
-      loop.parameters.push_back({from, start + pi * (i + 1) / facets});
-    }
-  }
-  loop.corner.assign(loop.points.size(), false);
-  return region;
-}
-
 inline PlanarRegion ellipse(double a, double b, int n, double phase = 0) {
   std::vector<Vec2> points;
   for (int i = 0; i < n; ++i)
@@ -269,20 +198,30 @@ inline PlanarRegion letter_x(double width, double angle, double fillet, const Fa
   return rounded_region(corners, radius, facetting);
 }
 
+/// A spine from (0, 0) to (end, width) above teeth of the same width, `length`
+/// long; the outer ones are flush.
+inline std::vector<Vec2> comb_corners(int teeth, double width, double pitch, double length) {
+  const double end = (teeth - 1) * pitch + width;
+  std::vector<Vec2> corners{{end, width}, {0, width}};
+  for (int k = 0; k < teeth; ++k) {
+    const double x = k * pitch;
+    if (k > 0) corners.push_back({x, 0});
+    corners.push_back({x, -length});
+    corners.push_back({x + width, -length});
+    if (k + 1 < teeth) corners.push_back({x + width, 0});
+  }
+  return corners;
+}
+
 /// Spine along y = 0 above `teeth` teeth, all of `width`, `pitch` apart, the outer teeth flush with the ends
 /// of the spine.
 inline PlanarRegion comb(int teeth, double width, double pitch, double length, double fillet = 0,
                          const Facetting& facetting = {}) {
-  const double end = (teeth - 1) * pitch + width, cap = fillet > 0 ? width / 2 : 0;
-  std::vector<Vec2> corners{{end, width}, {0, width}};
-  std::vector<double> radius{fillet > 0 ? width + fillet : 0, fillet > 0 ? width + fillet : 0};
-  for (int k = 0; k < teeth; ++k) {
-    const double x = k * pitch;
-    if (k > 0) corners.push_back({x, 0}), radius.push_back(fillet);
-    corners.push_back({x, -length}), radius.push_back(cap);
-    corners.push_back({x + width, -length}), radius.push_back(cap);
-    if (k + 1 < teeth) corners.push_back({x + width, 0}), radius.push_back(fillet);
-  }
+  const double cap = fillet > 0 ? width / 2 : 0;
+  const std::vector<Vec2> corners = comb_corners(teeth, width, pitch, length);
+  std::vector<double> radius;
+  for (const Vec2 corner : corners)
+    radius.push_back(corner.y == 0 ? fillet : corner.y < 0 ? cap : fillet > 0 ? width + fillet : 0);
   return rounded_region(corners, radius, facetting);
 }
 

@@ -29,18 +29,6 @@ Vec2 position(const Diagram::vertex_type* vertex) {
   return {vertex->x(), vertex->y()};
 }
 
-/// By the parity of crossings of a ray; p is not on the boundary.
-bool is_inside(const PlanarRegion& region, Vec2 p) {
-  bool inside = false;
-  for (const PlanarLoop& loop : region.loops)
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const Vec2 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      inside ^= (cross(b - a, p - a) > 0) == (b.y > a.y);
-    }
-  return inside;
-}
-
 class Converter {
  public:
   explicit Converter(const PlanarRegion& region) : region_(region) {
@@ -56,7 +44,7 @@ class Converter {
     for (const Diagram::edge_type& edge : diagram_.edges()) {
       if (&edge > edge.twin() || !edge.is_primary() || !edge.is_finite()) continue;
       const AxisArc arc = edge.is_curved() ? parabola(edge) : straight(edge);
-      if (is_inside(region_, arc.at(0.5))) arcs.push_back(arc);
+      if (contains(region_, arc.at(0.5))) arcs.push_back(arc);
     }
     return arcs;
   }

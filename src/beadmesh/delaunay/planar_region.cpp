@@ -248,6 +248,16 @@ Result<std::size_t> outer_loop(const PlanarRegion& region, const std::vector<Ind
 
 }  // namespace
 
+bool contains(const PlanarRegion& region, Vec2 point) {
+  bool inside = false;
+  for (const PlanarLoop& loop : region.loops)
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec2 a = loop.points[i], b = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+      if ((a.y > point.y) != (b.y > point.y)) inside ^= (orient2d(a, b, point) > 0) == (b.y > a.y);
+    }
+  return inside;
+}
+
 double signed_area(const PlanarLoop& loop) {
   double twice = 0;
   const auto& p = loop.points;

@@ -45,6 +45,9 @@ using PointName = std::function<std::string(std::size_t loop, std::size_t point)
 /// The same, with the caller's names in the errors; without a name, "point 3 of loop 1".
 Result<PlanarRegion> checked_region(PlanarRegion region, const PointName& name);
 
+/// Whether the polygons of the loops hold a point, by the crossings of a ray; either where it is on a
+/// segment.
+bool contains(const PlanarRegion& region, Vec2 point);
 /// Positive where the loop runs counter-clockwise.
 double signed_area(const PlanarLoop& loop);
 /// Length of the diagonal of the bounding box.

@@ -172,8 +172,8 @@ class EdgePlacer {
   }
 
   static void straighten(PlacedEdge& points, const EdgeEnds& ends) {
-    if (ends.start && ends.start->merged) straighten_start(points, ends.start->circle);
-    if (!ends.end || !ends.end->merged) return;
+    if (ends.start && ends.start->crossing) straighten_start(points, ends.start->circle);
+    if (!ends.end || !ends.end->crossing) return;
     std::reverse(points.begin(), points.end());
     straighten_start(points, ends.end->circle);
     std::reverse(points.begin(), points.end());
@@ -231,7 +231,7 @@ class EdgePlacer {
       const AxisPoint start = leaving(edge.start, edge.start_slot);
       AxisPoint end = leaving(edge.end, edge.end_slot);
       std::swap(end.feet[0], end.feet[1]);
-      refiner.refine_open(placed[i], start, nodes_[edge.start].merged, end, nodes_[edge.end].merged);
+      refiner.refine_open(placed[i], start, nodes_[edge.start].crossing, end, nodes_[edge.end].crossing);
     }
   }
 

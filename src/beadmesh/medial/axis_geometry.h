@@ -20,6 +20,7 @@ struct PlacedNode {
   std::vector<ContactInterval> intervals;  ///< where it touches along an arc
   bool is_end = false;                     ///< a corner or a smooth end
   bool settled = true;                     ///< false: a junction that found no disc touching all its sectors
+  bool crossing = false;                   ///< junctions a way apart made one: edges go straight to it
   bool merged = false;                     ///< touches at two points only (MedialVertex::merged)
 };
 
@@ -44,6 +45,10 @@ std::vector<PlacedEdge> placed_edges(const AxisOnBoundary& axis, const std::vect
 
 /// The feet, left and right, of a node seen from an edge that leaves it through its open half-edge `slot`.
 std::array<Contact, 2> feet_leaving(const PlacedNode& placed, Index slot);
+
+/// Touching points of junctions that contraction has made one although no disc touches them all: their
+/// centres are near, but not the same. Where the boundary is facetted nobody can tell.
+std::vector<BoundaryPlace> torn_contacts(const std::vector<PlacedNode>& nodes, const BoundaryCurve& curve);
 
 /// Touching points of junctions whose disc does not touch all its sectors, or holds a touching point of its
 /// neighbours: the samples were too coarse to tell which junction has which sector. With samples there the

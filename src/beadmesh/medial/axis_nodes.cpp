@@ -41,13 +41,14 @@ class NodePlacer {
     std::vector<SegmentRun> runs;
     for (const Index h : out) runs.push_back(run_after(h));
     PlacedNode placed{cluster.circle, {}, {}};
-    placed.merged = cluster.merged;
+    placed.merged = placed.crossing = cluster.merged;
     if (polished_ && cluster.merged)
       placed.feet = polish_merged(curve_, runs, placed.circle);
     else if (polished_)
       placed.feet = polish(curve_, runs, placed.circle);
     if (placed.feet.empty()) {
       placed = unmoved(cluster.circle, runs);
+      placed.crossing = cluster.merged;
       placed.settled = !polished_;
     }
     // Contraction may have joined junctions a little apart: no disc touches all their sectors then.
@@ -177,6 +178,23 @@ std::array<Contact, 2> feet_leaving(const PlacedNode& placed, Index slot) {
   const auto count = static_cast<Index>(placed.feet.size());
   if (placed.is_end) return {placed.feet[0], placed.feet[count > 1 ? 1 : 0]};
   return {placed.feet[slot], placed.feet[(slot + count - 1) % count]};
+}
+
+std::vector<BoundaryPlace> torn_contacts(const std::vector<PlacedNode>& nodes, const BoundaryCurve& curve) {
+  constexpr double one_point = 1e-9;  // of the size
+  std::vector<BoundaryPlace> torn;
+  for (const PlacedNode& node : nodes) {
+    if (node.is_end || node.crossing || node.feet.size() < 4) continue;
+    double spread = 0;
+    bool facetted = false;
+    for (const Contact& foot : node.feet) {
+      spread = std::max(spread, foot.distance - node.circle.radius);
+      facetted |= curve.is_facet(foot.place.loop, foot.place.segment);
+    }
+    if (facetted || spread <= one_point * curve.size()) continue;
+    for (const Contact& foot : node.feet) torn.push_back(foot.place);
+  }
+  return torn;
 }
 
 std::vector<BoundaryPlace> doubtful_contacts(const AxisGraph& graph, const std::vector<PlacedNode>& nodes,

@@ -11,6 +11,7 @@ namespace beadmesh {
 namespace {
 
 constexpr int contact_rounds = 6;
+constexpr double finer = 1e-2, least_contraction = 1e-9;  // of a torn junction
 
 Foot foot_of(const BoundaryCurve& curve, const BoundaryPlace& place) {
   return {curve.point(place), place.loop, curve.position(place)};
@@ -164,10 +165,11 @@ struct PlacedAxis {
 /// again.
 Result<PlacedAxis> placed_axis(SampledBoundary sampled, const BoundaryCurve& curve,
                                const MedialOptions& options) {
+  double contraction = options.contraction;
   for (int round = 0;; ++round) {
     AxisTriangles triangles(sampled.triangulation, sampled.samples);
     const PruneTolerance tolerance(curve, sampled.samples, options.prune_protrusion);
-    triangles.contract(options.contraction);
+    triangles.contract(contraction);
     prune(triangles, tolerance);
     merge_junctions(triangles, curve, sampled.samples, options.merge_crossings, tolerance.noise());
     settle_ends(triangles, curve, sampled.samples, tolerance);
@@ -179,8 +181,14 @@ Result<PlacedAxis> placed_axis(SampledBoundary sampled, const BoundaryCurve& cur
     const AxisOnBoundary axis{triangles, placed.graph, curve, sampled.samples};
     placed.nodes = placed_nodes(axis, options.polish);
     const double doubt = 1e-9 * curve.size() + 4 * curve.noise();
-    const std::vector<BoundaryPlace> doubtful = doubtful_contacts(placed.graph, placed.nodes, doubt);
-    if (round < contact_rounds && !doubtful.empty() && add_samples(sampled, doubtful, curve)) continue;
+    std::vector<BoundaryPlace> doubtful = doubtful_contacts(placed.graph, placed.nodes, doubt);
+    const std::vector<BoundaryPlace> torn = torn_contacts(placed.nodes, curve);
+    doubtful.insert(doubtful.end(), torn.begin(), torn.end());
+    if (!torn.empty()) contraction = std::max(least_contraction, finer * contraction);
+    if (round < contact_rounds && !doubtful.empty()) {
+      const bool added = add_samples(sampled, doubtful, curve);
+      if (added || (!torn.empty() && contraction > least_contraction)) continue;
+    }
     placed.edges = placed_edges(axis, placed.nodes, options);
     return placed;
   }

@@ -22,8 +22,14 @@ std::optional<double> slope(const MedialPoint& point, Vec2 way, double length) {
   return std::clamp(sum / (2 * point.radius * length), -1.0, 1.0);
 }
 
-/// Parts inside of (0, 1) where the derivative of the cubic is 0.
+/// Parts inside of (0, 1) where the derivative of the cubic is 0; 0 where there is none. Slopes that are no
+/// more than three times the chord's and of its sign make it monotone (Fritsch, Carlson 1980).
 std::array<double, 2> extrema(double r0, double m0, double r1, double m1) {
+  const double chord = r1 - r0;
+  const auto fits = [&](double m) {
+    return chord >= 0 ? m >= 0 && m <= 3 * chord : m <= 0 && m >= 3 * chord;
+  };
+  if (fits(m0) && fits(m1)) return {0, 0};
   // r' = a t^2 + b t + m0
   const double a = 6 * (r0 - r1) + 3 * (m0 + m1), b = 6 * (r1 - r0) - 4 * m0 - 2 * m1;
   const double root = b * b - 4 * a * m0;

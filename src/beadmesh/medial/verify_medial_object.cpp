@@ -51,16 +51,6 @@ double distance_to_boundary(Vec2 p, const PlanarRegion& region) {
   return least;
 }
 
-bool is_inside(Vec2 p, const PlanarRegion& region) {
-  bool inside = false;
-  for (const PlanarLoop& loop : region.loops)
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const Vec2 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
-    }
-  return inside;
-}
-
 /// The point of a loop at an arc length of its polyline: on the exact curve where there is one.
 Vec2 point_of_loop(const PlanarRegion& region, const PlanarLoop& loop, double position) {
   const std::size_t n = loop.points.size();
@@ -215,7 +205,7 @@ class Verifier {
                   bool touches_all) {
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y) || !(radius >= 0))
       return note(name + ": not finite");
-    if (radius > tolerance_ && !is_inside(centre, region_)) note(name + ": outside the region");
+    if (radius > tolerance_ && !contains(region_, centre)) note(name + ": outside the region");
     const double free = distance_to_boundary(centre, region_);
     if (std::abs(free - radius) > tolerance_)
       note(name + ": radius " + std::to_string(radius) + ", distance to the boundary " +
