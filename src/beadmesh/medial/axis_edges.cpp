@@ -8,8 +8,6 @@
 namespace beadmesh {
 namespace {
 
-/// Of the size. A line is measured in its middle, where it need not be the furthest off: half is kept back.
-constexpr double default_chord = 0.5e-7;
 constexpr double most_points = 1e5, most_points_per_sample = 4;  // that the default chord may ask for
 
 /// An edge starts or ends at a node's disc; a closed edge has none.
@@ -115,7 +113,7 @@ class EdgePlacer {
       for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         if (!curve_.is_exact(runs[side].loop)) continue;
         const Contact found = curve_.nearest(point.circle.centre, runs[side]);
-        if (found.distance > point.circle.radius - 1e-12 * curve_.size()) continue;
+        if (found.distance > point.circle.radius - curve_.tolerances().rounding) continue;
         point.feet[side] = found.place;
         is_nearest = false;
       }
@@ -214,13 +212,13 @@ class EdgePlacer {
 
   /// Points between the points where the line between them is off the axis.
   void refine(std::vector<PlacedEdge>& placed, const AxisGraph& graph) const {
-    AxisRefiner refiner(curve_, options_.chord > 0 ? options_.chord : default_chord * curve_.size());
+    AxisRefiner refiner(curve_, options_.chord > 0 ? options_.chord : curve_.tolerances().chord);
     if (options_.chord <= 0) {
       double wanted = 0;
       for (std::size_t i = 0; i < placed.size(); ++i) wanted += refiner.points_wanted(placed[i]);
       const double most = most_points + most_points_per_sample * static_cast<double>(samples_.samples.size());
       // The number of points goes with the square root of the chord.
-      if (wanted > most) refiner.set_chord(default_chord * curve_.size() * (wanted / most) * (wanted / most));
+      if (wanted > most) refiner.set_chord(curve_.tolerances().chord * (wanted / most) * (wanted / most));
     }
     for (std::size_t i = 0; i < placed.size(); ++i) {
       const AxisEdge& edge = graph.edges[i];

@@ -53,7 +53,7 @@ class NodePlacer {
     }
     // Contraction may have joined junctions a little apart: no disc touches all their sectors then.
     for (const Contact& foot : placed.feet)
-      if (foot.distance > placed.circle.radius + 1e-12 * curve_.size() && out.size() > 3)
+      if (foot.distance > placed.circle.radius + curve_.tolerances().rounding && out.size() > 3)
         placed.merged = true;
     if (!placed.merged)
       for (const Index h : out) add_interval(placed, axis_.sector_after(h));
@@ -89,7 +89,7 @@ class NodePlacer {
   void add_interval(PlacedNode& placed, Sector sector) const {
     const double radius = placed.circle.radius;
     const bool exact = curve_.is_exact(samples_.samples[sector.first].loop);
-    const double band = exact ? 1e-9 * curve_.size() : std::max(1e-3 * radius, 2 * curve_.noise());
+    const double band = exact ? curve_.tolerances().contact : std::max(1e-3 * radius, 2 * curve_.noise());
     const Sector on = reached(placed.circle, sector, band);
     if (on.first == no_index || on.first == on.last) return;
     const Index loop = samples_.samples[on.first].loop;
@@ -106,7 +106,8 @@ class NodePlacer {
     if (to <= from) to += curve_.length(loop);
     BoundaryPlace vertex;
     const auto circle = osculating_circle(curve_, {loop, from, to}, start, vertex);
-    if (!circle || curve_.nearest(circle->centre, run).distance < circle->radius - 1e-9 * curve_.size())
+    if (!circle ||
+        curve_.nearest(circle->centre, run).distance < circle->radius - curve_.tolerances().contact)
       return std::nullopt;
     const Contact tip = contact_at(vertex, circle->centre);
     PlacedNode placed{*circle, {tip, tip, tip}, {}, true};
@@ -181,7 +182,6 @@ std::array<Contact, 2> feet_leaving(const PlacedNode& placed, Index slot) {
 }
 
 std::vector<BoundaryPlace> torn_contacts(const std::vector<PlacedNode>& nodes, const BoundaryCurve& curve) {
-  constexpr double one_point = 1e-9;  // of the size
   std::vector<BoundaryPlace> torn;
   for (const PlacedNode& node : nodes) {
     if (node.is_end || node.crossing || node.feet.size() < 4) continue;
@@ -191,7 +191,7 @@ std::vector<BoundaryPlace> torn_contacts(const std::vector<PlacedNode>& nodes, c
       spread = std::max(spread, foot.distance - node.circle.radius);
       facetted |= curve.is_facet(foot.place.loop, foot.place.segment);
     }
-    if (facetted || spread <= one_point * curve.size()) continue;
+    if (facetted || spread <= curve.tolerances().contact) continue;
     for (const Contact& foot : node.feet) torn.push_back(foot.place);
   }
   return torn;

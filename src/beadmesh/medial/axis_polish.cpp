@@ -7,6 +7,8 @@
 namespace beadmesh {
 namespace {
 
+constexpr double exact_share = 0.02;  // of the rounding: nothing is gained by another step
+
 struct Spread {
   double least, most, mean;
 };
@@ -64,7 +66,7 @@ bool polish(const BoundaryCurve& curve, AxisPoint& point) {
   constexpr double least_apart = 4e-4;  // square of the distance of the unit vectors: about one degree
   constexpr int most_rounds = 20, patience = 6;
   const Vec2 start = point.circle.centre;
-  const double reach = point.circle.radius, precise = 2e-14 * curve.size();
+  const double reach = point.circle.radius, precise = exact_share * curve.tolerances().rounding;
   FootFollower left(curve, point.feet[0]), right(curve, point.feet[1]);
   Vec2 centre = start;
   AxisPoint best;
@@ -78,7 +80,7 @@ bool polish(const BoundaryCurve& curve, AxisPoint& point) {
       best_gap = std::abs(gap);
       best_square = square;
       best = {{centre, std::min(l.distance, r.distance)}, {l.place, r.place}, l.point - r.point};
-    } else if (round > patience || best_gap < 1e-12 * curve.size()) {
+    } else if (round > patience || best_gap < curve.tolerances().rounding) {
       break;
     }
     if (square < least_apart) return false;
@@ -111,7 +113,7 @@ std::vector<Contact> polish(const BoundaryCurve& curve, const std::vector<Segmen
   Vec2 centre = circle.centre, best = centre;
   std::vector<Contact> feet = feet_of(curve, runs, centre), best_feet = feet;
   double best_gap = spread_of(feet).most - spread_of(feet).least;
-  for (int round = 0; round < 20 && best_gap > 1e-15 * curve.size(); ++round) {
+  for (int round = 0; round < 20 && best_gap > exact_share * curve.tolerances().rounding; ++round) {
     Vec2 step;
     if (!even_step(feet, centre, spread_of(feet).mean, step)) return {};
     const double longest = 0.5 * reach;
@@ -124,7 +126,7 @@ std::vector<Contact> polish(const BoundaryCurve& curve, const std::vector<Segmen
     if (spread.most - spread.least < best_gap) {
       best_gap = spread.most - spread.least;
       best = centre, best_feet = feet;
-    } else if (round > 6 || best_gap < 1e-12 * curve.size()) {
+    } else if (round > 6 || best_gap < curve.tolerances().rounding) {
       break;
     }
   }

@@ -141,11 +141,11 @@ bool PruneTolerance::is_vertex(const Circle& disc, Sector sector) const {
   BoundaryPlace vertex;
   const auto circle = osculating_circle(curve_, {before.loop, from, to}, disc, vertex);
   return circle && curve_.nearest(circle->centre, run_of(curve_, samples_, sector)).distance >
-                       circle->radius - 1e-9 * curve_.size();
+                       circle->radius - curve_.tolerances().contact;
 }
 
 double PruneTolerance::noise() const {
-  return std::max(4 * curve_.noise(), 1e-9 * curve_.size());
+  return std::max(4 * curve_.noise(), curve_.tolerances().contact);
 }
 
 double protrusion(const Circle& tip, const Circle& inner) {

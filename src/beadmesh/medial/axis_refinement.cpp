@@ -37,10 +37,10 @@ bool AxisRefiner::may_be_off(const AxisPoint& from, const AxisPoint& to) const {
 double AxisRefiner::points_wanted(const PlacedEdge& points) const {
   double wanted = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Vec2 line = points[i + 1].circle.centre - points[i].circle.centre;
-    const double width = norm(points[i].across);
-    if (width > 0.02 * points[i].circle.radius)
-      wanted += std::sqrt(std::abs(dot(line, points[i].across)) / (4 * width * allowed(points[i])));
+    if (!may_be_off(points[i], points[i + 1])) continue;
+    const Vec2 line = points[i + 1].circle.centre - points[i].circle.centre, across = points[i].across;
+    const double width = norm(across);
+    if (width > 0) wanted += std::sqrt(std::abs(dot(line, across)) / (4 * width * allowed(points[i])));
   }
   return wanted;
 }
@@ -66,7 +66,7 @@ bool AxisRefiner::point_between(const AxisPoint& from, const AxisPoint& to, Axis
   if (!polish(curve_, middle)) return false;
   // Where a branch was pruned the feet jump: a point may then be between two places of which one is not
   // nearest.
-  const double least = middle.circle.radius - 1e-12 * curve_.size();
+  const double least = middle.circle.radius - curve_.tolerances().rounding;
   return (is_one_piece(0) || nearest(0).distance >= least) &&
          (is_one_piece(1) || nearest(1).distance >= least);
 }

@@ -33,7 +33,10 @@ CurvePoint BoundaryPiece::at(double t) const {
 }
 
 BoundaryCurve::BoundaryCurve(const PlanarRegion& region, double corner_angle)
-    : region_(region), loops_(region.loops.size()), size_(diagonal(region)) {
+    : region_(region),
+      loops_(region.loops.size()),
+      size_(diagonal(region)),
+      tolerances_(tolerances_of(region)) {
   std::vector<double> wobble;
   for (std::size_t l = 0; l < loops_.size(); ++l) read(l, corner_angle, wobble);
   if (wobble.size() < 8) return;
@@ -42,7 +45,7 @@ BoundaryCurve::BoundaryCurve(const PlanarRegion& region, double corner_angle)
   // The wobble (fourth difference / 4) of points off by sigma each has the median 1.41 sigma; 2 sigma is the
   // amplitude.
   const double amplitude = *middle * (2 / 1.41);
-  if (amplitude > 1e-9 * size_) noise_ = amplitude;
+  if (amplitude > tolerances_.contact) noise_ = amplitude;
 }
 
 void BoundaryCurve::read(std::size_t l, double corner_angle, std::vector<double>& wobble) {
@@ -156,9 +159,11 @@ void BoundaryCurve::measure_deviations(std::size_t l, std::vector<double>& wobbl
   const double share = loop.curve.empty() ? 1.25 : 0.375;
   std::vector<float>& tolerance = loops_[l].tolerance;
   tolerance.resize(n);
+  const auto at = [&](std::size_t i) { return std::abs(deviation[i < n ? i : i % n]); };
   for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t first = i >= 2 ? i - 2 : i + 2 * n - 2;  // loops may be shorter than the window
     double most = 0;
-    for (std::size_t k = 0; k < 6; ++k) most = std::max(most, std::abs(deviation[(i + n * 6 + k - 2) % n]));
+    for (std::size_t k = 0; k < 6; ++k) most = std::max(most, at(first + k));
     tolerance[i] = static_cast<float>(share * most);
   }
 }

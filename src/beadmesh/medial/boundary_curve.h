@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "beadmesh/delaunay/planar_region.h"
+#include "beadmesh/medial/tolerances.h"
 
 namespace beadmesh {
 
@@ -55,6 +56,7 @@ class BoundaryCurve {
   Index segments(Index loop) const { return static_cast<Index>(region_.loops[loop].points.size()); }
   double length(Index loop) const { return loops_[loop].length; }
   double size() const { return size_; }
+  const Tolerances& tolerances() const { return tolerances_; }
 
   /// Length of a segment's chord.
   double chord(Index loop, Index segment) const;
@@ -124,6 +126,7 @@ class BoundaryCurve {
   PlanarRegion region_;
   std::vector<Loop> loops_;
   double size_ = 0, noise_ = 0;
+  Tolerances tolerances_;
 };
 
 /// The nearest point of the boundary, followed downhill while what it is nearest to moves.

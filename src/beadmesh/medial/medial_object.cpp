@@ -180,7 +180,7 @@ Result<PlacedAxis> placed_axis(SampledBoundary sampled, const BoundaryCurve& cur
                   "this is an error of the program; please report the face");
     const AxisOnBoundary axis{triangles, placed.graph, curve, sampled.samples};
     placed.nodes = placed_nodes(axis, options.polish);
-    const double doubt = 1e-9 * curve.size() + 4 * curve.noise();
+    const double doubt = curve.tolerances().contact + 4 * curve.noise();
     std::vector<BoundaryPlace> doubtful = doubtful_contacts(placed.graph, placed.nodes, doubt);
     const std::vector<BoundaryPlace> torn = torn_contacts(placed.nodes, curve);
     doubtful.insert(doubtful.end(), torn.begin(), torn.end());

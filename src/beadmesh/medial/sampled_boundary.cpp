@@ -13,10 +13,8 @@ namespace {
 constexpr double radius_share = 0.5;          // greatest length of a segment / circumradius of its triangle
 constexpr double facet_share = 0.8;           // the same for a facet of a curve
 constexpr double straight_share = 1.0 / 128;  // of a straight side that faces another, where they are near
-constexpr double least_length = 1e-5;         // of a segment that is made by splitting / size of the region
-constexpr double least_leg = 1e-10;  // of a corner that is nearly flat: its triangle is as small / size
-constexpr double least_gap = 1e-3;   // of a contact to the samples beside it / length between these
-constexpr double least_part = 0.05;  // of a segment that is cut off
+constexpr double least_gap = 1e-3;            // of a contact to the samples beside it / length between these
+constexpr double least_part = 0.05;           // of a segment that is cut off
 
 Result<Triangulation> triangulated(const BoundarySamples& samples) {
   std::vector<Vec2> points;
@@ -76,7 +74,7 @@ BoundarySamples with_least_segments(const BoundaryCurve& curve, int least) {
 class Sampler {
  public:
   Sampler(const BoundaryCurve& curve, const SamplingOptions& options, BoundarySplitter& splitter)
-      : curve_(curve), options_(options), splitter_(splitter), least_(least_length * curve.size()) {}
+      : curve_(curve), options_(options), splitter_(splitter), least_(curve.tolerances().segment) {}
 
   /// False where there would be too many samples.
   bool run() {
@@ -161,7 +159,7 @@ class Sampler {
       cut_from_start(edge, length, shorter);
       cut_from_end(before, other, shorter);
     }
-    if (splitter_.is_ear(edge) || shorter < 2 * least_leg * curve_.size()) return;
+    if (splitter_.is_ear(edge) || shorter < 2 * curve_.tolerances().leg) return;
     split(edge, shorter / 2 / this->length(edge));
     split(splitter_.previous(edge), 1 - shorter / 2 / this->length(splitter_.previous(edge)));
   }
@@ -229,7 +227,7 @@ bool add_samples(SampledBoundary& sampled, const std::vector<BoundaryPlace>& pla
   const auto before = [](const BoundarySample& sample, const BoundaryPlace& place) {
     return sample.segment != place.segment ? sample.segment < place.segment : sample.t < place.t;
   };
-  const double least = 1e-9 * curve.size();
+  const double least = curve.tolerances().contact;
   BoundarySplitter splitter(std::move(sampled.samples), std::move(sampled.triangulation));
   const std::vector<Index> first = splitter.firsts();
   const Index given = splitter.count();
