@@ -31,6 +31,8 @@
 #include <gp_Trsf.hxx>
 #include <iterator>
 
+#include "beadmesh/core/vector.h"
+
 namespace beadmesh::test {
 namespace {
 
@@ -97,10 +99,13 @@ TopoDS_Shape torus(double major, double minor) {
   return BRepPrimAPI_MakeTorus(major, minor).Shape();
 }
 
-TopoDS_Shape plate_with_hole() {
+TopoDS_Shape plate_with_hole(double radius, int edges) {
   BRepBuilderAPI_MakeFace face(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), -50, 50, -30, 30);
-  const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 10);
-  face.Add(TopoDS::Wire(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle).Edge()).Wire().Reversed()));
+  const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), radius);
+  BRepBuilderAPI_MakeWire wire;
+  for (int i = 0; i < edges; ++i)
+    wire.Add(BRepBuilderAPI_MakeEdge(circle, 2 * pi * i / edges, 2 * pi * (i + 1) / edges).Edge());
+  face.Add(TopoDS::Wire(wire.Wire().Reversed()));
   return face.Face();
 }
 

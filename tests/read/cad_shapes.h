@@ -31,8 +31,8 @@ TopoDS_Shape cylinder(double radius, double height);
 TopoDS_Shape sphere(double radius);
 TopoDS_Shape cone(double radius, double height);
 TopoDS_Shape torus(double major, double minor);
-/// 100 x 60 in the plane z = 0 with a round hole of radius 10 in its middle.
-TopoDS_Shape plate_with_hole();
+/// 100 x 60 in the plane z = 0 with a round hole of so many edges in its middle.
+TopoDS_Shape plate_with_hole(double radius = 10, int edges = 1);
 /// Two squares of side 10 that touch along x = 10, each with an edge of its own there; the second one is
 /// turned over.
 TopoDS_Shape two_loose_squares();

@@ -89,6 +89,14 @@ TEST_P(EveryFormat, PlateWithHoleHasTwoLoops) {
   EXPECT_NEAR(total_area(panel), 6000 - pi * 100, 3);
 }
 
+TEST_P(EveryFormat, AHoleSmallerThanTheFacetsStaysAHole) {
+  const Panel panel = read_back(test::plate_with_hole(0.2, 2), GetParam());
+  ASSERT_EQ(panel.faces.size(), 1u);
+  ASSERT_EQ(panel.faces[0].loops.size(), 2u);
+  EXPECT_GE(panel.faces[0].facets.loops[1].size(), 6u);
+  EXPECT_NEAR(total_area(panel), 6000 - pi * 0.04, 0.03);
+}
+
 TEST_P(EveryFormat, SphereConeAndTorusHaveNoHoles) {
   EXPECT_NEAR(total_area(read_back(test::sphere(10), GetParam())), 4 * pi * 100, 20);
   EXPECT_NEAR(total_area(read_back(test::cone(10, 20), GetParam())), pi * 10 * std::sqrt(500.0) + pi * 100,

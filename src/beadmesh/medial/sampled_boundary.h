@@ -28,8 +28,8 @@ struct SampledBoundary {
 /// no triangle is obtuse over its segment, so that circumcentres stay inside; neighbouring segments differ by
 /// `grading` at most; every convex corner has a triangle of its own, on equally long legs where no given
 /// point forbids it. A facet of a curve that is not known exactly is split only where it is much too long.
-/// Between two straight sides that meet in a corner nothing needs to be dense. Fails with delaunay.* or
-/// medial.too_many_samples.
+/// A straight side that faces another one is cut into pieces of no less than a 128th of it. Fails with
+/// delaunay.* or medial.too_many_samples.
 Result<SampledBoundary> sampled_boundary(const BoundaryCurve& curve, const SamplingOptions& options);
 
 /// Adds samples at these places, where there is none near. False where nothing was added.

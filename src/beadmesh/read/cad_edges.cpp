@@ -29,6 +29,9 @@ std::vector<std::vector<UseInFace>> uses_per_edge(const CadTopology& topology) {
   return result;
 }
 
+constexpr double greatest_turn = radians(60);  // of a curve over one step
+constexpr int most_by_turn = 24;               // steps that its turn alone asks for
+
 Vec3 point_on(const CadEdge& edge, double t) {
   const gp_Pnt p = edge.curve->Value(t);
   return {p.X(), p.Y(), p.Z()};
@@ -82,16 +85,19 @@ class EdgeSampler {
   void sample_piece(double from, double to, int probes, int least) {
     std::vector<double> steps(probes + 1, 0.0);  // how many steps of the wanted size fit before probe i
     Vec3 last = point_on(edge_, from);
-    double last_wanted = wanted(from);
+    double last_wanted = wanted(from), turn = 0;
     for (int i = 1; i <= probes; ++i) {
       const double t = std::lerp(from, to, static_cast<double>(i) / probes);
       const Vec3 here = point_on(edge_, t);
       const double here_wanted = wanted(t);
       steps[i] = steps[i - 1] + distance(last, here) * 0.5 * (1 / last_wanted + 1 / here_wanted);
+      turn += distance(last, here) * curvature_on(edge_, t);
       last = here;
       last_wanted = here_wanted;
     }
-    const int count = std::clamp(static_cast<int>(std::ceil(steps.back() - 1e-6)), least, 200000);
+    // However small it is, a curve must not shrink to a line: two half circles are a loop of points, too.
+    const double wanted_steps = std::max(steps.back(), std::min(turn / greatest_turn, double{most_by_turn}));
+    const int count = std::clamp(static_cast<int>(std::ceil(wanted_steps - 1e-6)), least, 200000);
     int probe = 1;
     for (int k = 1; k < count; ++k) {
       const double target = steps.back() * k / count;
