@@ -131,7 +131,7 @@ TEST(Cleanup, MakesCutTrianglesNearlyRegular) {
   SmoothingOptions smoothing;
   smoothing.size = 4.5;
   smoothing.min_edge = 2.2;
-  smooth(mesh, nullptr, {}, smoothing);
+  smooth(mesh, nullptr, smoothing);
   const QualitySummary summary = summary_of(mesh, 2.2);
   EXPECT_EQ(summary.edges_below_min, 0);
   EXPECT_GT(summary.scaled_jacobian_min, 0.6);
@@ -194,7 +194,7 @@ TEST(Cleanup, TakesOutShortEdges) {
   ASSERT_GT(summary_of(mesh).edges_below_min, 0);
   clean(mesh, options);
   SmoothingOptions smoothing;
-  EXPECT_EQ(smooth(mesh, nullptr, {}, smoothing).edges_below_min, 0);
+  EXPECT_EQ(smooth(mesh, nullptr, smoothing).edges_below_min, 0);
 }
 
 TEST(Cleanup, IsDeterministic) {

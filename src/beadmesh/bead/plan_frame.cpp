@@ -4,7 +4,7 @@
 
 namespace beadmesh {
 
-PlanFrame::PlanFrame(const SurfaceMap* map, Vec2 around, Vec3 up) : map_(map) {
+PlanFrame::PlanFrame(const SurfaceMap* map, Vec2 around, Vec3 up) : map_(map), up_(up) {
   if (!map) return;
   origin_ = map->surface_point(map->locate(around));
   const Vec3 least = std::abs(up.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -16,6 +16,10 @@ Vec2 PlanFrame::to_plan(Vec2 flat) const {
   if (!map_) return flat;
   const Vec3 d = map_->surface_point(map_->locate(flat)) - origin_;
   return {dot(d, x_), dot(d, y_)};
+}
+
+double PlanFrame::height(Vec2 flat) const {
+  return map_ ? dot(map_->surface_point(map_->locate(flat)) - origin_, up_) : 0;
 }
 
 Vec2 PlanFrame::to_flat(Vec2 plan, Vec2 guess) const {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "beadmesh/bead/crest_tip.h"
 #include "beadmesh/bead/plan_frame.h"
 
 namespace beadmesh {
@@ -16,7 +18,11 @@ using Polyline = std::vector<Vec2>;
 struct Reached {
   Vec2 point;
   Vec2 tangent;
-  size_t kept = 0;  ///< points nearer to the end than the reached one
+  size_t kept = 0;       ///< points nearer to the end than the reached one
+  Vec2 beyond;           ///< tangent further out, over a long stretch
+  bool settled = true;   ///< the junction's fillets end before
+  Vec2 far_end;          ///< last point of the arm
+  bool is_leaf = false;  ///< the arm ends there in a tip
 };
 
 Polyline oriented(const Polyline& points, bool at_end) {
@@ -47,9 +53,12 @@ Vec2 tangent_around(const Polyline& points, double reach, double window) {
   return normalized(last - first);
 }
 
-Reached walk(const Polyline& points, double reach) {
+Reached walk(const Polyline& points, double reach, double radius) {
   double walked = 0;
-  Reached out{points.back(), {}, points.size()};
+  Reached out;
+  out.point = out.far_end = points.back();
+  out.kept = points.size();
+  out.beyond = tangent_around(points, reach + radius, radius);
   for (size_t i = 1; i < points.size(); ++i) {
     const double step = distance(points[i - 1], points[i]);
     if (walked + step >= reach) {
@@ -69,6 +78,10 @@ std::optional<Vec2> intersection(Vec2 p, Vec2 u, Vec2 q, Vec2 v) {
     return std::nullopt;  // near-parallel lines meet nowhere useful
   return p + u * (cross(q - p, v) / det);
 }
+
+/// How far the end of a stub may lie beside the line of the arm opposite, as a share of the radius.
+constexpr double stub_miss = 0.1;
+constexpr size_t no_point_kept = std::numeric_limits<size_t>::max();
 
 struct Tip {
   Vec2 point;
@@ -108,10 +121,11 @@ class RidgeBuilder {
     for (const SkeletonNode& node : skeleton_.nodes)
       graph_.nodes.push_back({node.point, node.point, node.radius, false, false, {}, node.arms});
     for (const SkeletonArm& arm : skeleton_.arms) graph_.arms.push_back(curve_of(arm));
-    for (Index n = 0; n < Index(graph_.nodes.size()); ++n) {
-      if (graph_.nodes[n].arms.size() == 1) extend_to_tip(n);
+    carried_.assign(graph_.arms.size(), false);
+    for (Index n = 0; n < Index(graph_.nodes.size()); ++n)
       if (graph_.nodes[n].arms.size() >= 3) straighten(n);
-    }
+    for (Index n = 0; n < Index(graph_.nodes.size()); ++n)
+      if (graph_.nodes[n].arms.size() == 1) extend_to_tip(n);
     return std::move(graph_);
   }
 
@@ -126,21 +140,46 @@ class RidgeBuilder {
   }
 
   void extend_to_tip(Index n) {
+    const Index a = graph_.nodes[n].arms[0];
+    if (!carried_[a] && map_ && follow_to_tip(n, a)) return;
     RidgeNode& node = graph_.nodes[n];
-    RidgeArm& arm = graph_.arms[node.arms[0]];
+    RidgeArm& arm = graph_.arms[a];
     const bool at_end = arm.end == n;
     const Polyline inward = oriented(arm.points, at_end);
     if (inward.size() < 2) return;
     const Vec2 outward = -tangent_around(inward, 0.5 * node.radius, 0.5 * node.radius);
     const auto tip = first_hit(region_, node.point, outward);
     if (!tip) return;
-    node.tip = true;
-    node.point = tip->point;
-    node.boundary = tip->boundary;
     if (at_end)
       arm.points.push_back(tip->point);
     else
       arm.points.insert(arm.points.begin(), tip->point);
+    set_tip(node, *tip);
+  }
+
+  static void set_tip(RidgeNode& node, const Tip& tip) {
+    node.tip = true;
+    node.point = tip.point;
+    node.boundary = tip.boundary;
+  }
+
+  /// False where the arm is too short to see how its crest runs.
+  bool follow_to_tip(Index n, Index a) {
+    RidgeArm& arm = graph_.arms[a];
+    const bool at_end = arm.end == n;
+    std::vector<MedialPoint> medial = skeleton_.arms[a].points;
+    if (at_end) std::reverse(medial.begin(), medial.end());
+    const auto tip = crest_tip(medial, graph_.nodes[n].radius, region_, *map_);
+    if (!tip) return false;
+    Polyline curve{tip->point};
+    curve.insert(curve.end(), tip->crest.rbegin(), tip->crest.rend());
+    const Polyline inward = oriented(arm.points, at_end);
+    const auto from = std::find(inward.begin(), inward.end(), medial[tip->kept].point);
+    if (from == inward.end()) return false;
+    curve.insert(curve.end(), from, inward.end());
+    arm.points = oriented(curve, at_end);
+    set_tip(graph_.nodes[n], {tip->point, {tip->loop, tip->position}});
+    return true;
   }
 
   /// The arms' ends at node n: which arm, and whether it ends there. A loop arm appears with both its ends.
@@ -156,21 +195,35 @@ class RidgeBuilder {
 
   /// How far the fillets of a junction bend an arm: until the thickness has settled, at least the radius
   /// (section 4.3) as far as the arm has room.
-  double reach_of(const std::pair<Index, bool>& end, double radius) const {
+  struct Reach {
+    double length = 0;
+    bool settled = false;  ///< the thickness has come to rest within it
+  };
+
+  bool is_leaf(const std::pair<Index, bool>& end) const {
+    const SkeletonArm& arm = skeleton_.arms[end.first];
+    return skeleton_.nodes[end.second ? arm.start : arm.end].arms.size() == 1;
+  }
+
+  Reach reach_of(const std::pair<Index, bool>& end, double radius) const {
     const auto& points = skeleton_.arms[end.first].points;
     const int n = int(points.size());
     const auto at = [&](int i) -> const MedialPoint& { return points[end.second ? n - 1 - i : i]; };
     std::vector<double> along{0};
     for (int i = 1; i < n; ++i) along.push_back(along.back() + distance(at(i - 1).point, at(i).point));
-    const SkeletonArm& arm = skeleton_.arms[end.first];
-    const bool leaf = skeleton_.nodes[end.second ? arm.start : arm.end].arms.size() == 1;
-    const double most = std::min(3.5 * radius, (leaf ? 0.75 : 0.45) * along.back());
-    double settled = at(0).radius;
-    for (int i = 0; i < n && along[i] <= most; ++i) settled = std::min(settled, at(i).radius);
-    double reach = radius;
-    for (int i = 0; i < n && along[i] <= most; ++i)
-      if (at(i).radius > 1.006 * settled) reach = std::max(reach, along[i] + 0.15 * radius);
-    return std::min(reach, most);
+    const double most = std::min(3.5 * radius, (is_leaf(end) ? 0.75 : 0.45) * along.back());
+    // Settled where it is near the thinnest and the next stretch does not get noticeably thinner.
+    double thin = at(0).radius;
+    for (int i = 0; i < n && along[i] <= most; ++i) thin = std::min(thin, at(i).radius);
+    const double ahead = radius / 3;
+    for (int i = 0; i < n && along[i] + ahead <= most; ++i) {
+      double thinnest = at(i).radius;
+      for (int k = i + 1; k < n && along[k] <= along[i] + ahead; ++k)
+        thinnest = std::min(thinnest, at(k).radius);
+      if (at(i).radius <= std::min(1.003 * thinnest, 1.02 * thin))
+        return {std::min(std::max(radius, along[i] + 0.3 * radius), most), true};
+    }
+    return {most, false};
   }
 
   /// Normal of the sheet: mean over the feet of the arms' first medial points.
@@ -194,8 +247,12 @@ class RidgeBuilder {
       Polyline points = oriented(graph_.arms[end.first].points, end.second);
       if (points.size() < 2) return;
       for (Vec2& p : points) p = frame.to_plan(p);
-      reached.push_back(walk(points, reach_of(end, node.radius)));
+      const Reach reach = reach_of(end, node.radius);
+      reached.push_back(walk(points, reach.length, node.radius));
+      reached.back().settled = reach.settled;
+      reached.back().is_leaf = is_leaf(end);
     }
+    carry_through(reached, node.radius);
     const Vec2 centre = frame.to_plan(node.point);
     auto target = reached.size() == 3 ? squared_position(reached) : std::nullopt;
     if (!target) target = best_meeting(reached, node.radius);
@@ -204,6 +261,24 @@ class RidgeBuilder {
     node.squared = true;
     for (size_t k = 0; k < ends.size(); ++k)
       replace_end(ends[k].first, ends[k].second, reached[k], *target, frame);
+  }
+
+  /// A stub that the fillets bend up to its cap has no straight part of its own: where a settled arm opposite
+  /// points at its end, it is that arm carried on.
+  void carry_through(std::vector<Reached>& reached, double radius) const {
+    for (Reached& stub : reached) {
+      if (stub.settled || !stub.is_leaf) continue;
+      for (const Reached& through : reached) {
+        const Vec2 direction = -through.beyond, to_end = stub.far_end - through.point;
+        if (!through.settled || angle_between(through.beyond, stub.tangent) <= options_.straight_angle ||
+            std::abs(cross(direction, to_end)) > stub_miss * radius)
+          continue;
+        stub.point = stub.far_end = through.point + direction * dot(direction, to_end);
+        stub.tangent = direction;
+        stub.kept = no_point_kept;
+        break;
+      }
+    }
   }
 
   /// Point nearest to all the arms' lines (least squares); none where they miss it by a tenth of the radius.
@@ -248,9 +323,14 @@ class RidgeBuilder {
     const Polyline points = oriented(graph_.arms[a].points, at_end);
     const bool whole = reached.kept >= points.size();
     Polyline cut{at_end ? graph_.nodes[graph_.arms[a].end].point : graph_.nodes[graph_.arms[a].start].point};
-    const Vec2 to = whole ? frame.to_plan(points.back()) : reached.point;
+    const bool carried = reached.kept == no_point_kept;
+    const Vec2 to = whole && !carried ? frame.to_plan(points.back()) : reached.point;
     for (int i = 1; i <= 8; ++i) cut.push_back(frame.to_flat(lerp(target, to, i / 8.0), cut.back()));
-    if (whole) cut.back() = points.back();
+    carried_[a] = carried_[a] || carried;
+    if (carried)
+      graph_.nodes[at_end ? graph_.arms[a].start : graph_.arms[a].end].point = cut.back();
+    else if (whole)
+      cut.back() = points.back();
     for (size_t k = reached.kept; k < points.size(); ++k)
       if (distance(points[k], cut.back()) > 1e-6) cut.push_back(points[k]);
     graph_.arms[a].points = oriented(cut, at_end);
@@ -261,6 +341,7 @@ class RidgeBuilder {
   const SurfaceMap* map_;
   RidgeOptions options_;
   RidgeGraph graph_;
+  std::vector<bool> carried_;  ///< arms that are another one carried on
 };
 
 }  // namespace

@@ -266,13 +266,13 @@ class BeadBlocks {
     const ArmLine& line = arms_[a];
     if (end_tip)
       add_end_cap(builder_, end_chord_[a], node_vertex_[ridge_.arms[a].end],
-                  line.between(end_chord_[a].along, line.length()), options_.elements_across,
-                  options_.cap_scale * options_.size, options_.min_edge);
+                  line.between(end_chord_[a].along, line.length()), options_.elements_across, options_.size,
+                  options_.min_edge, options_.extra_rows);
     if (!start_tip) return;
     std::vector<Vec2> crest = line.between(0, start_chord_[a].along);
     std::reverse(crest.begin(), crest.end());
     add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest,
-                options_.elements_across, options_.cap_scale * options_.size, options_.min_edge);
+                options_.elements_across, options_.size, options_.min_edge, options_.extra_rows);
   }
 
   /// True where the touching line keeps the order of its neighbours on both boundaries.

@@ -12,8 +12,7 @@ struct BeadBlockOptions {
   double size = 5;          ///< default 5 mm: target element length
   double min_edge = 2.5;    ///< default 2.5 mm: minimum element length
   int elements_across = 4;  ///< default 4: even
-  double cap_scale =
-      0.75;  ///< default 0.75: element length in the clamps, times the size; ends curve the most
+  int extra_rows = 0;       ///< default 0: rows along the clamps beyond the best number for the size
 };
 
 /// I-beads by the split lines of section 4.2 and the clamp of figure 15a; every arm of a generic bead

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "beadmesh/bead/ridge.h"
-#include "beadmesh/mesh/planar_mesh.h"
+#include "beadmesh/mesh/sliding_lines.h"
 
 namespace beadmesh {
 
@@ -20,6 +20,7 @@ struct BeadMesh {
   PlanarMesh mesh;
   std::vector<BoundaryNode> boundary;           ///< every boundary node once
   std::vector<std::vector<Index>> crest_lines;  ///< nodes along every ridge curve; closed: first == last
+  std::vector<SlidingLine> lines;               ///< what sliding nodes slide along
   std::string method;                           ///< "blocks", "ridge" or "fallback"
   std::vector<std::string> notes;               ///< why an earlier method was left
 };

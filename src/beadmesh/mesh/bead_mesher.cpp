@@ -9,6 +9,8 @@
 #include "beadmesh/blocking/annular_blocks.h"
 #include "beadmesh/blocking/bead_blocks.h"
 #include "beadmesh/blocking/element_counts.h"
+#include "beadmesh/geometry/polyline.h"
+#include "beadmesh/mesh/bead_section.h"
 #include "beadmesh/mesh/block_mesher.h"
 #include "beadmesh/mesh/ridge_insertion.h"
 #include "beadmesh/mesh/smoothing.h"
@@ -20,7 +22,15 @@ namespace {
 /// Worst scaled Jacobian that a bead mesh may show before the next method is tried.
 constexpr double acceptable_jacobian = 0.35;
 /// Good enough to stop looking for a better variant of the same method.
-constexpr double good_jacobian = 0.7;
+constexpr double good_score = 0.84;
+/// Better shapes do not count.
+constexpr double good_jacobian = 0.86;
+
+/// Distance between a section of the bead and the elements across it, as a share of the size.
+constexpr double acceptable_deviation = 0.08;
+constexpr int most_across = 12;
+/// What a cut across may lose of its width in clamps and hubs.
+constexpr double across_margin = 1.15;
 
 struct Width {
   double mean = 0, least = 0;
@@ -53,14 +63,57 @@ Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map,
 
 struct Judged {
   BeadMesh mesh;
-  double worst = 0;  ///< scaled Jacobian
+  double score = 0;  ///< worst scaled Jacobian, less what the distance from the surface takes away
 };
 
+double score_of(const SmoothingReport& report, double size) {
+  const double excess = std::max(0.0, report.deviation / size - acceptable_deviation);
+  return std::min(report.scaled_jacobian_min, good_jacobian) - 2 * excess;
+}
+
+/// The loops of the boundary as lines to slide along, but for those whose nodes a neighbour has set. Tips
+/// stay.
+void free_boundary(BeadMesh& mesh, const PlanarRegion& region, const BeadMesherOptions& options) {
+  std::vector<bool> is_tip(mesh.mesh.nodes.size(), false);
+  for (const auto& crest : mesh.crest_lines) is_tip[crest.front()] = is_tip[crest.back()] = true;
+  for (Index l = 0; l < Index(region.loops.size()); ++l) {
+    if (l < Index(options.prescribed.size()) && !options.prescribed[l].empty()) continue;
+    SlidingLine line{Polyline<Vec2>(region.loops[l].points, true), {}, {}};
+    const double length = line.curve.length();
+    std::vector<std::pair<double, Index>> nodes;
+    for (const BoundaryNode& node : mesh.boundary)
+      if (node.at.loop == l)
+        nodes.emplace_back(node.at.position - std::floor(node.at.position / length) * length, node.node);
+    std::sort(nodes.begin(), nodes.end());
+    for (const auto& [at, node] : nodes) {
+      line.at.push_back(at);
+      line.nodes.push_back(node);
+      if (!is_tip[node]) mesh.mesh.freedom[node] = NodeFreedom::sliding;
+    }
+    mesh.lines.push_back(std::move(line));
+  }
+}
+
+/// The boundary nodes where they have slid to, to stay there.
+void take_over_boundary(BeadMesh& mesh) {
+  std::vector<double> at(mesh.mesh.nodes.size(), -1);
+  for (const SlidingLine& line : mesh.lines)
+    for (size_t i = 0; i < line.nodes.size(); ++i)
+      if (line.curve.is_closed()) at[line.nodes[i]] = line.at[i];
+  for (BoundaryNode& node : mesh.boundary) {
+    NodeFreedom& freedom = mesh.mesh.freedom[node.node];
+    if (freedom == NodeFreedom::sliding) node.at.position = at[node.node];
+    freedom = NodeFreedom::fixed;
+  }
+}
+
 /// Smooths and judges. What falls short is said in the failure.
-Result<Judged> finished(Result<BeadMesh> mesh, const SurfaceMap& map, const BeadMesherOptions& options) {
+Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const BeadMesherOptions& options) {
   if (!mesh) return tl::unexpected(mesh.error());
+  free_boundary(*mesh, study.region, options);
   const SmoothingReport report =
-      smooth(mesh->mesh, &map, mesh->crest_lines, {options.size, options.min_edge});
+      smooth(mesh->mesh, study.map.get(), mesh->lines, {options.size, options.min_edge, 20, 10, 10});
+  take_over_boundary(*mesh);
   if (report.inverted > 0)
     return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
   if (report.edges_below_min > 0)
@@ -69,7 +122,7 @@ Result<Judged> finished(Result<BeadMesh> mesh, const SurfaceMap& map, const Bead
   if (report.scaled_jacobian_min < acceptable_jacobian)
     return fail("mesh.bead.jacobian",
                 "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
-  return Judged{std::move(*mesh), report.scaled_jacobian_min};
+  return Judged{std::move(*mesh), score_of(report, options.size)};
 }
 
 std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {
@@ -124,8 +177,8 @@ class BeadMesher {
       return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
     for (int m = across(); m >= 2; m -= 2) {
-      for (double cap_scale : {0.75, 1.0, 0.6}) {
-        const BeadBlockOptions blocks{options_.size, options_.min_edge, m, cap_scale};
+      for (int extra_rows : {0, 1, -1, 2}) {
+        const BeadBlockOptions blocks{options_.size, options_.min_edge, m, extra_rows};
         if (attempt("blocks", [&] {
               return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map,
                                  options_);
@@ -139,20 +192,25 @@ class BeadMesher {
   }
 
  private:
+  /// The even number nearest to the size; more where the sections need it and the minimum length allows it.
   int across() const {
-    return elements_across(width_.mean, width_.least, {options_.size, options_.min_edge});
+    int m = elements_across(width_.mean, width_.least, {options_.size, options_.min_edge});
+    while (m < most_across && (m + 2) * across_margin * options_.min_edge <= width_.least &&
+           section_deviation(crest_, *study_.map, m) > acceptable_deviation * options_.size)
+      m += 2;
+    return m;
   }
 
   /// Keeps the best mesh so far; true where it is good enough to stop.
   bool attempt(const std::string& name, const std::function<Result<BeadMesh>()>& make) {
-    auto judged = finished(make(), *study_.map, options_);
+    auto judged = finished(make(), study_, options_);
     if (!judged) {
       const std::string reason = name + ": " + judged.error().message;
       if (std::find(reasons_.begin(), reasons_.end(), reason) == reasons_.end()) reasons_.push_back(reason);
       return false;
     }
-    if (!best_ || judged->worst > best_->worst) best_ = std::move(*judged);
-    return best_->worst >= good_jacobian;
+    if (!best_ || judged->score > best_->score) best_ = std::move(*judged);
+    return best_->score >= good_score;
   }
 
   /// Reasons are told only where the first method failed altogether.
@@ -177,6 +235,7 @@ class BeadMesher {
     const CleanupReport report =
         clean_up(mesh->mesh, study_.map.get(), crest_edges(*mesh), {options_.size, options_.min_edge});
     renumber(*mesh, report.renumbered);
+    for (const auto& crest : mesh->crest_lines) mesh->lines.push_back(line_through(crest, mesh->mesh.nodes));
     return mesh;
   }
 

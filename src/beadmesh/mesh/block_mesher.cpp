@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadmesh/geometry/polyline.h"
 #include "beadmesh/mesh/surface_polyline.h"
 
 namespace beadmesh {
@@ -16,7 +17,7 @@ class BlockMapper {
 
   BeadMesh run() {
     vertex_node_.assign(layout_.vertices.size(), no_index);
-    for (const VirtualEdge& edge : layout_.edges) edge_nodes_.push_back(nodes_along(edge));
+    for (const VirtualEdge& edge : layout_.edges) add_edge(edge);
     for (const Block& block : layout_.blocks) fill(block);
     collect_crest_lines();
     return std::move(out_);
@@ -48,22 +49,30 @@ class BlockMapper {
     int ridges = 0;
     for (const VirtualEdge& edge : layout_.edges)
       if (edge.kind == VirtualEdgeKind::ridge) ridges += (edge.start == v) + (edge.end == v);
-    return ridges == 0 ? NodeFreedom::free : ridges == 2 ? NodeFreedom::crest : NodeFreedom::fixed;
+    return ridges == 0 ? NodeFreedom::free : ridges == 2 ? NodeFreedom::sliding : NodeFreedom::fixed;
   }
 
-  NodeRow nodes_along(const VirtualEdge& edge) {
-    NodeRow row{node_of_vertex(edge.start)};
+  /// Nodes along an edge, even on the surface, and where each lies along its flat polyline.
+  void add_edge(const VirtualEdge& edge) {
     const SurfacePolyline line(edge.points, map_);
-    for (int i = 1; i < edge.count; ++i) row.push_back(inner_node(edge, line, i));
+    const double flat_length = Polyline<Vec2>(edge.points).length();
+    NodeRow row{node_of_vertex(edge.start)};
+    std::vector<double> at{0};
+    for (int i = 1; i < edge.count; ++i) {
+      const double arc = line.length() * i / edge.count;
+      row.push_back(inner_node(edge, line, i, arc));
+      at.push_back(flat_length * line.flat_share_at(arc));
+    }
     row.push_back(node_of_vertex(edge.end));
-    return row;
+    at.push_back(flat_length);
+    edge_nodes_.push_back(std::move(row));
+    edge_at_.push_back(std::move(at));
   }
 
-  Index inner_node(const VirtualEdge& edge, const SurfacePolyline& line, int i) {
-    const double arc = line.length() * i / edge.count;
+  Index inner_node(const VirtualEdge& edge, const SurfacePolyline& line, int i, double arc) {
     if (edge.kind != VirtualEdgeKind::boundary)
       return add_node(line.point_at(arc),
-                      edge.kind == VirtualEdgeKind::ridge ? NodeFreedom::crest : NodeFreedom::free);
+                      edge.kind == VirtualEdgeKind::ridge ? NodeFreedom::sliding : NodeFreedom::free);
     if (edge.prescribed.empty()) {
       const double at = edge.from + (edge.to - edge.from) * line.flat_share_at(arc);
       return add_boundary_node(line.point_at(arc), {edge.loop, at});
@@ -131,7 +140,7 @@ class BlockMapper {
   void collect_crest_lines() {
     std::vector<bool> used(layout_.edges.size(), false);
     const auto is_through = [&](Index v) {
-      return !layout_.vertices[v].on_boundary && freedom_of_vertex(v) == NodeFreedom::crest;
+      return !layout_.vertices[v].on_boundary && freedom_of_vertex(v) == NodeFreedom::sliding;
     };
     for (int round = 0; round < 2; ++round)  // lines with ends first, closed ones after
       for (Index e = 0; e < Index(layout_.edges.size()); ++e) {
@@ -139,27 +148,53 @@ class BlockMapper {
         if (used[e] || edge.kind != VirtualEdgeKind::ridge) continue;
         if (round == 0 && is_through(edge.start) && is_through(edge.end)) continue;
         const bool from_end = round == 0 && is_through(edge.start);
-        out_.crest_lines.push_back(line_from(e, from_end, used));
+        add_crest_line(e, from_end, used);
       }
   }
 
-  NodeRow line_from(Index e, bool from_end, std::vector<bool>& used) const {
-    NodeRow line;
+  /// A crest as far as it has been walked: its fine points, its nodes and where they lie.
+  struct CrestWalk {
+    std::vector<Vec2> points;
+    NodeRow nodes;
+    std::vector<double> at;
+  };
+
+  void add_crest_line(Index e, bool from_end, std::vector<bool>& used) {
+    CrestWalk line;
     Index at = from_end ? layout_.edges[e].end : layout_.edges[e].start;
     while (e != no_index) {
       used[e] = true;
-      NodeRow part = edge_nodes_[e];
-      if (layout_.edges[e].start != at) std::reverse(part.begin(), part.end());
-      if (!line.empty()) line.pop_back();
-      line.insert(line.end(), part.begin(), part.end());
-      at = layout_.edges[e].start == at ? layout_.edges[e].end : layout_.edges[e].start;
+      const bool backward = layout_.edges[e].start != at;
+      append(line, e, backward);
+      at = backward ? layout_.edges[e].start : layout_.edges[e].end;
       e = next_ridge(at, used);
     }
-    return line;
+    out_.crest_lines.push_back(line.nodes);
+    const bool closed = line.nodes.size() > 2 && line.nodes.front() == line.nodes.back();
+    if (closed) line.points.pop_back(), line.nodes.pop_back(), line.at.pop_back();
+    out_.lines.push_back({Polyline<Vec2>(line.points, closed), line.nodes, line.at});
+  }
+
+  /// Carries the line on along an edge.
+  void append(CrestWalk& line, Index e, bool backward) const {
+    std::vector<Vec2> points = layout_.edges[e].points;
+    NodeRow nodes = edge_nodes_[e];
+    std::vector<double> at = edge_at_[e];
+    const double length = at.back(), before = line.at.empty() ? 0 : line.at.back();
+    if (backward) {
+      std::reverse(points.begin(), points.end());
+      std::reverse(nodes.begin(), nodes.end());
+      std::reverse(at.begin(), at.end());
+      for (double& a : at) a = length - a;
+    }
+    const bool first = line.nodes.empty();
+    line.points.insert(line.points.end(), points.begin() + !first, points.end());
+    line.nodes.insert(line.nodes.end(), nodes.begin() + !first, nodes.end());
+    for (size_t i = !first; i < at.size(); ++i) line.at.push_back(before + at[i]);
   }
 
   Index next_ridge(Index vertex, const std::vector<bool>& used) const {
-    if (layout_.vertices[vertex].on_boundary || freedom_of_vertex(vertex) != NodeFreedom::crest)
+    if (layout_.vertices[vertex].on_boundary || freedom_of_vertex(vertex) != NodeFreedom::sliding)
       return no_index;
     for (Index e = 0; e < Index(layout_.edges.size()); ++e) {
       const VirtualEdge& edge = layout_.edges[e];
@@ -173,6 +208,7 @@ class BlockMapper {
   const SurfaceMap& map_;
   std::vector<Index> vertex_node_;
   std::vector<NodeRow> edge_nodes_;
+  std::vector<std::vector<double>> edge_at_;  ///< flat arc length of the nodes of every edge
   BeadMesh out_;
 };
 

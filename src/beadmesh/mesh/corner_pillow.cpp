@@ -141,7 +141,7 @@ class Reliever {
       pillow(trial, relief.block, relief.outline);
     }
     first_new.push_back(Index(trial.elements.size()));
-    smooth(trial, map_, {}, {options_.size, options_.min_edge});
+    smooth(trial, map_, {options_.size, options_.min_edge});
     const std::vector<Vec3> space = positions(trial);
     std::vector<bool> good;
     for (size_t r = 0; r < reliefs.size(); ++r) {
@@ -178,7 +178,7 @@ class Reliever {
   bool has_crest(const Block& block) const {
     for (Index e : block)
       for (Index n : original_.elements[e])
-        if (n != no_index && original_.freedom[n] == NodeFreedom::crest) return true;
+        if (n != no_index && original_.freedom[n] == NodeFreedom::sliding) return true;
     return false;
   }
 

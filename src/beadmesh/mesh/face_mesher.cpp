@@ -70,9 +70,9 @@ Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
   auto mesh = raw_mesh(loops, map, options);
   if (!mesh) return mesh;
   const SmoothingOptions smoothing{options.size, options.min_edge};
-  smooth(*mesh, &map, {}, smoothing);
+  smooth(*mesh, &map, smoothing);
   clean_up(*mesh, &map, {}, {options.size, options.min_edge});
-  smooth(*mesh, &map, {}, smoothing);
+  smooth(*mesh, &map, smoothing);
   relieve_flat_corners(*mesh, &map, {options.size, options.min_edge});
   return mesh;
 }

@@ -68,7 +68,7 @@ MeshEditor::MeshEditor(PlanarMesh& mesh, const SurfaceMap* map,
       nodes_(mesh.nodes, map),
       mesh_(mesh),
       freedom_(mesh.freedom),
-      motion_(nodes_, mesh_, freedom_, no_crest_,
+      motion_(nodes_, mesh_, freedom_, no_lines_,
               {limits.size, limits.min_edge * 1.005, limits.good_enough}) {
   for (const auto& [a, b] : kept_edges) kept_edges_.push_back(ordered(a, b));
   std::sort(kept_edges_.begin(), kept_edges_.end());

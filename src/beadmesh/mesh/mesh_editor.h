@@ -93,7 +93,7 @@ class MeshEditor {
   std::vector<bool> boundary_;
   std::vector<double> angle_;  ///< per node: what the elements around it have to fill, in right angles
   std::vector<std::array<Index, 2>> kept_edges_;
-  CrestLines no_crest_;
+  SlidingLines no_lines_;
   NodeMotion motion_;
 };
 

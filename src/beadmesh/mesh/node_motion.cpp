@@ -7,6 +7,9 @@
 namespace beadmesh {
 namespace {
 
+/// Distance from the surface that weighs as much as a poor shape, as a share of the size.
+constexpr double surface_share = 0.08;
+
 /// Scaled Jacobian per corner and length of the side that starts there.
 struct Corners {
   int count = 4;
@@ -89,6 +92,8 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
     for (int i = 0; i < corners.count; ++i) {
       const double t = square(1 - corners.jacobian[i]);
       state.cost += aim == MotionAim::worst ? t + 30 * t * t * t : t + 4 * t * t;
+      // Seen from the surface alone, skew costs nothing: rows would run zigzag.
+      if (aim == MotionAim::surface) state.cost += 1 - corners.jacobian[i];
       if (element[i] != node) continue;
       const double side = corners.side[i];
       if (side < soft) state.cost += 0.5 * square((soft - side) / width);
@@ -100,7 +105,49 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
       if (side > long_side) state.cost += 0.5 * square((side - long_side) / limits_.size);
     }
   }
+  if (aim == MotionAim::surface) state.cost += surface_cost(node);
   return state;
+}
+
+/// Distances from the surface of places on the elements around the node and on the edges that end there, with
+/// weights. The flat point of a place on an element is near that place's nearest surface point: what counts
+/// is the distance along the element's normal.
+template <class Visit>
+void NodeMotion::visit_deviations(Index node, Visit visit) const {
+  const Index hint = nodes_[node].triangle;
+  for (const Index e : mesh_.star(node)) {
+    const MeshElement& element = mesh_.element(e);
+    const int count = corner_count(element), at = corner_of(element, node);
+    Vec2 flat[4], flat_sum;
+    Vec3 space[4], space_sum;
+    for (int i = 0; i < count; ++i) {
+      flat[i] = nodes_.flat(element[(at + i) % count]), flat_sum += flat[i];
+      space[i] = nodes_.space(element[(at + i) % count]), space_sum += space[i];
+    }
+    const Vec3 normal = normalized(cross(space[1] - space[0], space[count - 1] - space[0]));
+    const auto add = [&](Vec2 on_plane, const Vec3& on_element, double weight) {
+      visit(std::abs(dot(nodes_.place(on_plane, hint).space - on_element, normal)), weight);
+    };
+    for (const double t : {0.3, 0.7}) {
+      add(lerp(flat[0], flat[1], t), lerp(space[0], space[1], t), 0.5);
+      add(lerp(flat[0], flat[count - 1], t), lerp(space[0], space[count - 1], t), 0.5);
+    }
+    add(flat_sum / count, space_sum / count, 1.0);
+  }
+}
+
+double NodeMotion::surface_cost(Index node) const {
+  double cost = 0;
+  visit_deviations(node, [&](double deviation, double weight) {
+    cost += 0.2 * weight * square(square(deviation / (surface_share * limits_.size)));
+  });
+  return cost;
+}
+
+double NodeMotion::deviation(Index node) const {
+  double largest = 0;
+  visit_deviations(node, [&](double deviation, double) { largest = std::max(largest, deviation); });
+  return largest;
 }
 
 double NodeMotion::cost_at(Index node, const SurfacePlace& place, MotionAim aim) {
@@ -114,7 +161,7 @@ bool NodeMotion::keep_if_better(Index node, const SurfacePlace& place, const Sta
   const SurfacePlace old = nodes_[node];
   nodes_.set(node, place);
   const State after = measure(node, aim);
-  const double floor = aim == MotionAim::edges ? 0.25 : limits_.floor;
+  const double floor = aim == MotionAim::edges ? 0.25 : aim == MotionAim::surface ? 0.86 : limits_.floor;
   const bool kept = after.cost < before.cost * (1 - 1e-7) && after.shortage <= before.shortage &&
                     after.worst >= std::min(before.worst, floor);
   if (!kept) nodes_.set(node, old);
@@ -224,11 +271,11 @@ bool NodeMotion::relax(Index node) {
   const SurfacePlace old = nodes_[node];
   if (freedom_[node] != NodeFreedom::free) {
     if (!is_movable(node)) return false;
-    const double shift = crest_.shift_to_middle(node);
-    const SurfacePlace middle = nodes_.place(crest_.shifted(node, shift), old.triangle);
+    const double shift = lines_.shift_to_middle(node);
+    const SurfacePlace middle = nodes_.place(lines_.shifted(node, shift), old.triangle);
     if (std::abs(shift) < 1e-3 * limits_.size) return false;
     if (!keep_if_better(node, middle, measure(node, MotionAim::mean), MotionAim::mean)) return false;
-    crest_.slide(node, shift);
+    lines_.slide(node, shift);
     return true;
   }
   Vec2 target;
@@ -246,7 +293,7 @@ bool NodeMotion::relax(Index node) {
 
 bool NodeMotion::optimise(Index node, MotionAim aim) {
   if (freedom_[node] == NodeFreedom::free) return optimise_free(node, aim);
-  return freedom_[node] == NodeFreedom::crest && crest_.slides(node) && optimise_crest(node, aim);
+  return freedom_[node] == NodeFreedom::sliding && lines_.slides(node) && optimise_sliding(node, aim);
 }
 
 bool NodeMotion::optimise_free(Index node, MotionAim aim) {
@@ -276,11 +323,11 @@ bool NodeMotion::optimise_free(Index node, MotionAim aim) {
   return false;
 }
 
-bool NodeMotion::optimise_crest(Index node, MotionAim aim) {
+bool NodeMotion::optimise_sliding(Index node, MotionAim aim) {
   const SurfacePlace old = nodes_[node];
   const State before = measure(node, aim);
   const double h = 0.01 * limits_.size;
-  const auto place = [&](double shift) { return nodes_.place(crest_.shifted(node, shift), old.triangle); };
+  const auto place = [&](double shift) { return nodes_.place(lines_.shifted(node, shift), old.triangle); };
   const double ahead = cost_at(node, place(h), aim), back = cost_at(node, place(-h), aim);
   nodes_.set(node, old);
   const double slope = (ahead - back) / (2 * h), bend = (ahead + back - 2 * before.cost) / (h * h);
@@ -289,7 +336,7 @@ bool NodeMotion::optimise_crest(Index node, MotionAim aim) {
   step = std::clamp(step, -0.4 * limits_.size, 0.4 * limits_.size);
   for (int halving = 0; halving < 5; ++halving, step /= 2) {
     if (!keep_if_better(node, place(step), before, aim)) continue;
-    crest_.slide(node, step);
+    lines_.slide(node, step);
     return true;
   }
   return false;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "beadmesh/mesh/crest_lines.h"
 #include "beadmesh/mesh/quad_connectivity.h"
+#include "beadmesh/mesh/sliding_lines.h"
 #include "beadmesh/mesh/surface_nodes.h"
 
 namespace beadmesh {
@@ -16,8 +16,8 @@ struct MotionLimits {
   double floor = 0.7;  ///< scaled Jacobians above it may be traded against each other
 };
 
-/// What an optimisation step is after.
-enum class MotionAim { mean, worst, edges };
+/// What an optimisation step is after; `surface`: shape and the elements' distance from the surface.
+enum class MotionAim { mean, worst, edges, surface };
 
 /// How good one element is: scaled Jacobian on the surface; where the element is turned over in the plane,
 /// below -1.
@@ -27,17 +27,20 @@ double signed_quality(const SurfaceNodes& nodes, const MeshElement& element);
 class NodeMotion {
  public:
   NodeMotion(SurfaceNodes& nodes, const QuadConnectivity& mesh, const std::vector<NodeFreedom>& freedom,
-             CrestLines& crest, const MotionLimits& limits)
-      : nodes_(nodes), mesh_(mesh), freedom_(freedom), crest_(crest), limits_(limits) {}
+             SlidingLines& lines, const MotionLimits& limits)
+      : nodes_(nodes), mesh_(mesh), freedom_(freedom), lines_(lines), limits_(limits) {}
 
   bool is_movable(Index node) const {
     return freedom_[node] == NodeFreedom::free ||
-           (freedom_[node] == NodeFreedom::crest && crest_.slides(node));
+           (freedom_[node] == NodeFreedom::sliding && lines_.slides(node));
   }
   /// Least scaled Jacobian around the node.
   double worst_around(Index node) const;
   /// Largest shortfall of an edge at the node below the minimum edge length, as a share of it; 0: none.
   double shortfall(Index node) const;
+
+  /// Largest distance from the surface of the elements and edges around the node, where it is looked at.
+  double deviation(Index node) const;
 
   /// Makes the corner areas in the plane positive that the node takes part in (Knupp 2001: a convex problem
   /// per node).
@@ -55,10 +58,13 @@ class NodeMotion {
     double cost = 0, worst = 0, shortage = 0;
   };
   State measure(Index node, MotionAim aim) const;
+  double surface_cost(Index node) const;
+  template <class Visit>
+  void visit_deviations(Index node, Visit visit) const;
   double cost_at(Index node, const SurfacePlace& place, MotionAim aim);
   bool keep_if_better(Index node, const SurfacePlace& place, const State& before, MotionAim aim);
   bool optimise_free(Index node, MotionAim aim);
-  bool optimise_crest(Index node, MotionAim aim);
+  bool optimise_sliding(Index node, MotionAim aim);
   bool fan(Index node, std::vector<Index>& sides, std::vector<Index>& diagonals) const;
   Vec2 winslow(std::span<const Index> sides, std::span<const Index> diagonals) const;
   Vec2 isoparametric(std::span<const Index> sides, std::span<const Index> diagonals) const;
@@ -67,7 +73,7 @@ class NodeMotion {
   SurfaceNodes& nodes_;
   const QuadConnectivity& mesh_;
   const std::vector<NodeFreedom>& freedom_;
-  CrestLines& crest_;
+  SlidingLines& lines_;
   MotionLimits limits_;
   double last_step_ = 0;
   std::vector<Index> sides_, diagonals_;

@@ -292,12 +292,31 @@ class PanelMesher {
     const Index part = part_of(b);
     const Index first = Index(shell.elements.size());
     for (MeshElement element : mesh.mesh.elements) {
+      turn_to_surface(element, mesh.mesh, map);
       for (Index& n : element)
         if (n != no_index) n = global[n];
       shell.elements.push_back(
           {element, part, panel_.faces[face].number, b == no_index ? 0 : studied_.table.beads[b].id});
     }
     if (b != no_index) add_set(b, mesh, global, first);
+  }
+
+  /// A quad starts at the corner whose diagonal lies nearer to the surface: programs that split quads along
+  /// it then see the better triangles. A plain quad stays as it is.
+  void turn_to_surface(MeshElement& quad, const PlanarMesh& mesh, const SurfaceMap& map) const {
+    if (!is_quad(quad)) return;
+    Vec2 centre;
+    Vec3 corner[4];
+    FacetPoint at;
+    for (int i = 0; i < 4; ++i) {
+      centre += mesh.nodes[quad[i]] / 4;
+      at = map.locate(mesh.nodes[quad[i]], at.triangle);
+      corner[i] = map.facet_point(at);
+    }
+    const Vec3 middle = map.facet_point(map.locate(centre, at.triangle));
+    const double first = distance(middle, (corner[0] + corner[2]) / 2),
+                 second = distance(middle, (corner[1] + corner[3]) / 2);
+    if (second < first - 1e-3 * options_.size) std::rotate(quad.begin(), quad.begin() + 1, quad.end());
   }
 
   void add_set(Index b, const FaceMesh& mesh, const std::vector<Index>& global, Index first) {

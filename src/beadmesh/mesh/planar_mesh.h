@@ -10,8 +10,8 @@
 
 namespace beadmesh {
 
-/// How a node may move: anywhere in the face, only along the crest polyline, not at all.
-enum class NodeFreedom : unsigned char { free, crest, fixed };
+/// How a node may move: anywhere in the face, only along its line (crest or boundary), not at all.
+enum class NodeFreedom : unsigned char { free, sliding, fixed };
 
 /// Corners counter-clockwise; a triangle has no_index as its fourth.
 using MeshElement = std::array<Index, 4>;

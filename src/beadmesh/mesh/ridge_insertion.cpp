@@ -101,9 +101,9 @@ class RidgeInserter {
     if (closed) points.push_back(points.front());
     const SurfacePolyline line(points, map_);
     const int count = closed ? even_count_for(line.length()) : count_for(line.length(), 1);
-    NodeRow row{closed ? add_node(points.front(), NodeFreedom::crest) : graph_node_[arm.start]};
+    NodeRow row{closed ? add_node(points.front(), NodeFreedom::sliding) : graph_node_[arm.start]};
     for (int i = 1; i < count; ++i)
-      row.push_back(add_node(line.point_at(line.length() * i / count), NodeFreedom::crest));
+      row.push_back(add_node(line.point_at(line.length() * i / count), NodeFreedom::sliding));
     row.push_back(closed ? row.front() : graph_node_[arm.end]);
     out_.crest_lines.push_back(row);
   }

@@ -14,14 +14,14 @@ constexpr double min_edge_margin = 1.005;
 /// Shape and edge length of the whole mesh, one stage of node movements after the other.
 class Smoother {
  public:
-  Smoother(PlanarMesh& mesh, const SurfaceMap* map, const std::vector<std::vector<Index>>& crest_lines,
+  Smoother(PlanarMesh& mesh, const SurfaceMap* map, const std::vector<SlidingLine>& lines,
            const SmoothingOptions& options)
       : mesh_(mesh),
         options_(options),
         nodes_(mesh.nodes, map),
         connectivity_(mesh),
-        crest_(crest_lines, mesh.nodes, mesh.freedom),
-        motion_(nodes_, connectivity_, mesh.freedom, crest_,
+        lines_(lines, mesh.freedom),
+        motion_(nodes_, connectivity_, mesh.freedom, lines_,
                 {options.size, options.min_edge * min_edge_margin, 0.7}) {}
 
   SmoothingReport run() {
@@ -29,13 +29,15 @@ class Smoother {
     sweep(all_nodes(), options_.variational_passes, 1.0, [&](Index node) { return motion_.relax(node); });
     sweep(all_nodes(), options_.optimisation_passes, 0.97,
           [&](Index node) { return motion_.optimise(node, MotionAim::mean); });
-    sweep(nodes_of_worst(0.75), options_.optimisation_passes, 0.75,
-          [&](Index node) { return motion_.optimise(node, MotionAim::worst); });
+    improve_worst(0.75);
     lengthen_short_edges();
+    if (options_.surface_passes > 0) near_surface();
     for (size_t node = 0; node < mesh_.nodes.size(); ++node)
       mesh_.nodes[node] = nodes_.flat(static_cast<Index>(node));
     return report();
   }
+
+  const std::vector<SlidingLine>& lines() const { return lines_.lines(); }
 
  private:
   std::vector<Index> all_nodes() const {
@@ -98,6 +100,19 @@ class Smoother {
     }
   }
 
+  void improve_worst(double below) {
+    sweep(nodes_of_worst(below), options_.optimisation_passes, below,
+          [&](Index node) { return motion_.optimise(node, MotionAim::worst); });
+  }
+
+  void near_surface() {
+    const auto approach = [&](Index node) { return motion_.optimise(node, MotionAim::surface); };
+    sweep(all_nodes(), options_.surface_passes, 1.0, approach);
+    improve_worst(0.88);
+    sweep(all_nodes(), options_.surface_passes, 1.0, approach);
+    lengthen_short_edges();
+  }
+
   void lengthen_short_edges() {
     for (int round = 0; round < 25; ++round) {
       std::vector<Index> nodes = nodes_of_short_edges();
@@ -131,6 +146,10 @@ class Smoother {
     if (!mesh_.elements.empty())
       report.scaled_jacobian_mean = sum / static_cast<double>(mesh_.elements.size());
     report.edges_below_min = count_short_edges();
+    if (options_.surface_passes > 0)
+      for (Index node = 0; node < connectivity_.node_count(); ++node)
+        if (!connectivity_.star(node).empty())
+          report.deviation = std::max(report.deviation, motion_.deviation(node));
     return report;
   }
 
@@ -150,15 +169,22 @@ class Smoother {
   const SmoothingOptions options_;
   SurfaceNodes nodes_;
   QuadConnectivity connectivity_;
-  CrestLines crest_;
+  SlidingLines lines_;
   NodeMotion motion_;
 };
 
 }  // namespace
 
-SmoothingReport smooth(PlanarMesh& mesh, const SurfaceMap* map,
-                       const std::vector<std::vector<Index>>& crest_lines, const SmoothingOptions& options) {
-  return Smoother(mesh, map, crest_lines, options).run();
+SmoothingReport smooth(PlanarMesh& mesh, const SurfaceMap* map, std::vector<SlidingLine>& lines,
+                       const SmoothingOptions& options) {
+  Smoother smoother(mesh, map, lines, options);
+  const SmoothingReport report = smoother.run();
+  lines = smoother.lines();
+  return report;
+}
+
+SmoothingReport smooth(PlanarMesh& mesh, const SurfaceMap* map, const SmoothingOptions& options) {
+  return Smoother(mesh, map, {}, options).run();
 }
 
 }  // namespace beadmesh

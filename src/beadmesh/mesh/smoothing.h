@@ -3,6 +3,7 @@
 
 #include "beadmesh/flatten/flat_face.h"
 #include "beadmesh/mesh/planar_mesh.h"
+#include "beadmesh/mesh/sliding_lines.h"
 
 namespace beadmesh {
 
@@ -12,21 +13,24 @@ struct SmoothingOptions {
   int variational_passes =
       20;  ///< default 20: Winslow / isoparametric / length-weighted Laplace sweeps at most
   int optimisation_passes = 10;  ///< default 10: sweeps over the worst elements at most
+  int surface_passes = 0;        ///< default 0: sweeps that bring the elements nearer to the surface
 };
 
 struct SmoothingReport {
   double scaled_jacobian_min = 0, scaled_jacobian_mean = 0;  ///< on the surface
   int inverted = 0;
   int edges_below_min = 0;
+  double deviation = 0;  ///< largest distance seen between elements and surface; 0 without surface passes
 };
 
 /// Moves free nodes in the flat plane, measures on the surface (3-D positions through `map`; null: the
 /// plane). First untangles what is inverted, then the variational pass, then the optimisation of the worst
-/// (mean ratio and shortest edge, line search). Crest nodes move along `crest_lines` (polylines of node
-/// indices: the node stays between its neighbours on the polyline of the original positions). Fixed nodes
-/// stay. Deterministic.
-SmoothingReport smooth(PlanarMesh& mesh, const SurfaceMap* map,
-                       const std::vector<std::vector<Index>>& crest_lines,
+/// (mean ratio and shortest edge, line search), last, where asked for, the distance of the elements from the
+/// surface. Sliding nodes move along `lines` and stay between their neighbours there; the lines take over
+/// their new places. Fixed nodes stay. Deterministic.
+SmoothingReport smooth(PlanarMesh& mesh, const SurfaceMap* map, std::vector<SlidingLine>& lines,
                        const SmoothingOptions& options = {});
+/// Without lines.
+SmoothingReport smooth(PlanarMesh& mesh, const SurfaceMap* map, const SmoothingOptions& options = {});
 
 }  // namespace beadmesh

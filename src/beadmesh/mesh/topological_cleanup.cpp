@@ -61,7 +61,7 @@ void untangle_first(PlanarMesh& mesh, const SurfaceMap* map, const CleanupOption
     SmoothingOptions smoothing;
     smoothing.size = options.size;
     smoothing.min_edge = options.min_edge;
-    smooth(mesh, map, {}, smoothing);
+    smooth(mesh, map, smoothing);
     return;
   }
 }
