@@ -68,7 +68,7 @@ Reached walk(const Polyline& points, double reach, double radius) {
     }
     walked += step;
   }
-  out.tangent = tangent_around(points, reach * 1.2, 0.2 * reach);
+  out.tangent = tangent_around(points, reach + 0.2 * radius, 0.2 * radius);
   return out;
 }
 
@@ -221,7 +221,7 @@ class RidgeBuilder {
       for (int k = i + 1; k < n && along[k] <= along[i] + ahead; ++k)
         thinnest = std::min(thinnest, at(k).radius);
       if (at(i).radius <= std::min(1.003 * thinnest, 1.02 * thin))
-        return {std::min(std::max(radius, along[i] + 0.3 * radius), most), true};
+        return {std::min(std::max(radius, along[i] + 0.15 * radius), most), true};
     }
     return {most, false};
   }

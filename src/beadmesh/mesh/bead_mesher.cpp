@@ -78,7 +78,7 @@ void free_boundary(BeadMesh& mesh, const PlanarRegion& region, const BeadMesherO
   for (const auto& crest : mesh.crest_lines) is_tip[crest.front()] = is_tip[crest.back()] = true;
   for (Index l = 0; l < Index(region.loops.size()); ++l) {
     if (l < Index(options.prescribed.size()) && !options.prescribed[l].empty()) continue;
-    SlidingLine line{Polyline<Vec2>(region.loops[l].points, true), {}, {}};
+    SlidingLine line{Polyline<Vec2>(region.loops[l].points, true), {}, {}, false};
     const double length = line.curve.length();
     std::vector<std::pair<double, Index>> nodes;
     for (const BoundaryNode& node : mesh.boundary)

@@ -10,6 +10,9 @@ namespace {
 /// Distance from the surface that weighs as much as a poor shape, as a share of the size.
 constexpr double surface_share = 0.08;
 
+/// Weight of crest edges among all places looked at: the crest is what the mesh is made for.
+constexpr double crest_weight = 3;
+
 /// Scaled Jacobian per corner and length of the side that starts there.
 struct Corners {
   int count = 4;
@@ -94,6 +97,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
       state.cost += aim == MotionAim::worst ? t + 30 * t * t * t : t + 4 * t * t;
       // Seen from the surface alone, skew costs nothing: rows would run zigzag.
       if (aim == MotionAim::surface) state.cost += 1 - corners.jacobian[i];
+      if (corners.jacobian[i] < limits_.aim) state.cost += 40 * square(limits_.aim - corners.jacobian[i]);
       if (element[i] != node) continue;
       const double side = corners.side[i];
       if (side < soft) state.cost += 0.5 * square((soft - side) / width);
@@ -128,9 +132,10 @@ void NodeMotion::visit_deviations(Index node, Visit visit) const {
     const auto add = [&](Vec2 on_plane, const Vec3& on_element, double weight) {
       visit(std::abs(dot(nodes_.place(on_plane, hint).space - on_element, normal)), weight);
     };
-    for (const double t : {0.3, 0.7}) {
-      add(lerp(flat[0], flat[1], t), lerp(space[0], space[1], t), 0.5);
-      add(lerp(flat[0], flat[count - 1], t), lerp(space[0], space[count - 1], t), 0.5);
+    for (const int k : {1, count - 1}) {
+      const bool is_crest = lines_.on_crest(node) && lines_.on_crest(element[(at + k) % count]);
+      for (const double t : {0.3, 0.7})
+        add(lerp(flat[0], flat[k], t), lerp(space[0], space[k], t), is_crest ? crest_weight : 0.5);
     }
     add(flat_sum / count, space_sum / count, 1.0);
   }
@@ -139,7 +144,7 @@ void NodeMotion::visit_deviations(Index node, Visit visit) const {
 double NodeMotion::surface_cost(Index node) const {
   double cost = 0;
   visit_deviations(node, [&](double deviation, double weight) {
-    cost += 0.2 * weight * square(square(deviation / (surface_share * limits_.size)));
+    cost += 0.4 * weight * square(square(deviation / (surface_share * limits_.size)));
   });
   return cost;
 }
@@ -161,7 +166,9 @@ bool NodeMotion::keep_if_better(Index node, const SurfacePlace& place, const Sta
   const SurfacePlace old = nodes_[node];
   nodes_.set(node, place);
   const State after = measure(node, aim);
-  const double floor = aim == MotionAim::edges ? 0.25 : aim == MotionAim::surface ? 0.86 : limits_.floor;
+  const double floor = aim == MotionAim::edges     ? 0.25
+                       : aim == MotionAim::surface ? 0.97 * limits_.aim
+                                                   : limits_.floor;
   const bool kept = after.cost < before.cost * (1 - 1e-7) && after.shortage <= before.shortage &&
                     after.worst >= std::min(before.worst, floor);
   if (!kept) nodes_.set(node, old);

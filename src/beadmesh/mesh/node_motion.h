@@ -14,6 +14,7 @@ struct MotionLimits {
   double size = 5;
   double min_edge = 2.5;
   double floor = 0.7;  ///< scaled Jacobians above it may be traded against each other
+  double aim = 0;      ///< what falls short of this scaled Jacobian is driven towards it; 0: nothing
 };
 
 /// What an optimisation step is after; `surface`: shape and the elements' distance from the surface.

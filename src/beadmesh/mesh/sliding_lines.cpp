@@ -15,10 +15,13 @@ SlidingLine line_through(const std::vector<Index>& nodes, const std::vector<Vec2
 }
 
 SlidingLines::SlidingLines(std::vector<SlidingLine> lines, const std::vector<NodeFreedom>& freedom)
-    : lines_(std::move(lines)), places_(freedom.size()) {
+    : lines_(std::move(lines)), places_(freedom.size()), crest_(freedom.size(), false) {
   std::vector<int> visits(freedom.size(), 0);
   for (const SlidingLine& line : lines_)
-    for (const Index node : line.nodes) ++visits[node];
+    for (const Index node : line.nodes) {
+      ++visits[node];
+      if (line.is_crest) crest_[node] = true;
+    }
   for (Index l = 0; l < Index(lines_.size()); ++l) {
     const std::vector<Index>& nodes = lines_[l].nodes;
     const Index end = lines_[l].curve.is_closed() ? 0 : 1;

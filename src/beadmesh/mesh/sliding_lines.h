@@ -13,6 +13,7 @@ struct SlidingLine {
   Polyline<Vec2> curve;
   std::vector<Index> nodes;  ///< in their order along the curve, each once
   std::vector<double> at;    ///< arc length of each node along the curve
+  bool is_crest = true;      ///< else a boundary
 };
 
 /// The polyline through the nodes themselves; closed where the last node is the first again.
@@ -33,6 +34,8 @@ class SlidingLines {
   /// Moves the node by `shift`.
   void slide(Index node, double shift);
 
+  bool on_crest(Index node) const { return node < crest_.size() && crest_[node]; }
+
   /// The lines with their nodes' present places.
   const std::vector<SlidingLine>& lines() const { return lines_; }
 
@@ -49,6 +52,7 @@ class SlidingLines {
 
   std::vector<SlidingLine> lines_;
   std::vector<Place> places_;
+  std::vector<bool> crest_;  ///< nodes of crests, their ends as well
 };
 
 }  // namespace beadmesh

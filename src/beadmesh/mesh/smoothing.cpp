@@ -11,6 +11,10 @@ namespace {
 /// measured on.
 constexpr double min_edge_margin = 1.005;
 
+/// Scaled Jacobian that elements at a node of three quads can reach: the sine of 120 degrees, and a little
+/// more to strive for.
+constexpr double regular_jacobian = 0.88;
+
 /// Shape and edge length of the whole mesh, one stage of node movements after the other.
 class Smoother {
  public:
@@ -22,7 +26,8 @@ class Smoother {
         connectivity_(mesh),
         lines_(lines, mesh.freedom),
         motion_(nodes_, connectivity_, mesh.freedom, lines_,
-                {options.size, options.min_edge * min_edge_margin, 0.7}) {}
+                {options.size, options.min_edge * min_edge_margin, 0.7,
+                 options.surface_passes > 0 ? regular_jacobian : 0}) {}
 
   SmoothingReport run() {
     untangle();
@@ -108,7 +113,7 @@ class Smoother {
   void near_surface() {
     const auto approach = [&](Index node) { return motion_.optimise(node, MotionAim::surface); };
     sweep(all_nodes(), options_.surface_passes, 1.0, approach);
-    improve_worst(0.88);
+    improve_worst(regular_jacobian);
     sweep(all_nodes(), options_.surface_passes, 1.0, approach);
     lengthen_short_edges();
   }
