@@ -114,6 +114,21 @@ TEST(Ridge, YIsStraightAndMeetsInTheMiddle) {
   expect_tips_on_boundary(shape, 3);
 }
 
+/// The bar ends so near to the stem that the fillet bends its axis up to the cap.
+TEST(Ridge, StubIsTheArmOppositeCarriedOn) {
+  const Footprint footprint =
+      examples::network({{0, 0}, {-70, 0}, {18, 0}, {0, -60}}, {{0, 1}, {0, 2}, {0, 3}}, 16, 9);
+  const Drawn shape = drawn(region_of(footprint));
+  double bent = 0;
+  for (const SkeletonArm& arm : shape.skeleton.arms)
+    for (const MedialPoint& p : arm.points)
+      bent = std::max(bent, std::min(std::abs(p.point.x - junction(shape.ridge).point.x),
+                                     std::abs(p.point.y - junction(shape.ridge).point.y)));
+  EXPECT_GT(bent, 0.3);
+  EXPECT_LT(off_rays(shape.ridge, junction(shape.ridge).point, {0, 180, 270}), 0.06);
+  expect_tips_on_boundary(shape, 3);
+}
+
 TEST(Ridge, XMeetsInOnePoint) {
   for (const double crossing : {90.0, 70.0}) {
     const Drawn shape = drawn(letter_x(14, radians(crossing), 8));

@@ -48,28 +48,28 @@ void expect_good(const Footprint& footprint, BeadKind kind, double jacobian, int
 }
 
 TEST(BeadMesher, IBead) {
-  expect_good(examples::straight_bead(84, 16), BeadKind::I, 0.6, 4);
+  expect_good(examples::straight_bead(84, 16), BeadKind::I, 0.8, 4);
 }
 TEST(BeadMesher, IBeadOnACurvedSheet) {
-  expect_good(placed(examples::straight_bead(84, 16), {}, 0.5), BeadKind::I, 0.6, 4, cylinder_base(700));
+  expect_good(placed(examples::straight_bead(84, 16), {}, 0.5), BeadKind::I, 0.8, 4, cylinder_base(700));
 }
 TEST(BeadMesher, ArcBead) {
-  expect_good(examples::arc_bead(60, 110, 16), BeadKind::I, 0.5, 4);
+  expect_good(examples::arc_bead(60, 110, 16), BeadKind::I, 0.75, 4);
 }
 TEST(BeadMesher, Ring) {
-  expect_good(examples::circular_ring(44, 14), BeadKind::annular, 0.85, 0);
+  expect_good(examples::circular_ring(44, 14), BeadKind::annular, 0.93, 0);
 }
 TEST(BeadMesher, TBead) {
-  expect_good(t_footprint(), BeadKind::generic, 0.5, 6);
+  expect_good(t_footprint(), BeadKind::generic, 0.75, 6);
 }
 TEST(BeadMesher, XBead) {
-  expect_good(star_footprint({0, 90, 180, 270}, 60, 16, 9), BeadKind::generic, 0.5, 8);
+  expect_good(star_footprint({0, 90, 180, 270}, 60, 16, 9), BeadKind::generic, 0.7, 8);
 }
 TEST(BeadMesher, YBead) {
-  expect_good(star_footprint({90, 210, 330}, 60, 16, 9), BeadKind::generic, 0.5, 7);
+  expect_good(star_footprint({90, 210, 330}, 60, 16, 9), BeadKind::generic, 0.7, 7);
 }
 TEST(BeadMesher, CombBead) {
-  expect_good(examples::comb_bead(3, 46, 50, 16, 9), BeadKind::generic, 0.45, 10);
+  expect_good(examples::comb_bead(3, 46, 50, 16, 9), BeadKind::generic, 0.7, 10);
 }
 
 TEST(BeadMesher, WindingBeadIsMeshedWithoutAnEdgeUnderTheMinimum) {

@@ -148,5 +148,33 @@ TEST(Smoothing, SurvivesMeshWithoutElements) {
   EXPECT_EQ(smooth(mesh, nullptr).inverted, 0);
 }
 
+/// A sheet bent sharply along a line that no row of nodes follows: the row nearest to it is drawn there.
+TEST(Smoothing, SurfacePassesBringElementsNearer) {
+  Facets facets;
+  FlatFace flat;
+  const auto add_row = [&](double x, double z) {
+    for (const double y : {-1.0, 41.0}) flat.positions.push_back({x, y}), facets.points.push_back({x, y, z});
+  };
+  add_row(-1, 0), add_row(18, 0), add_row(41, 11.5);
+  facets.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
+  facets.triangle_face = {0, 0, 0, 0};
+  const SurfaceMap map(facets, flat);
+  SmoothingOptions options;
+  PlanarMesh plain = sample::grid(8, 8, 5.0), fitted = plain;
+  smooth(plain, &map, options);
+  options.surface_passes = 10;
+  const SmoothingReport report = smooth(fitted, &map, options);
+  const auto distance_to_bend = [](const PlanarMesh& mesh) {
+    double nearest = 1e300;
+    for (const Vec2 p : mesh.nodes)
+      if (std::abs(p.y - 20) < 8) nearest = std::min(nearest, std::abs(p.x - 18));
+    return nearest;
+  };
+  EXPECT_LT(distance_to_bend(fitted), 0.5 * distance_to_bend(plain));
+  EXPECT_GT(report.scaled_jacobian_min, 0.8);
+  EXPECT_GT(report.deviation, 0);
+  EXPECT_EQ(report.edges_below_min, 0);
+}
+
 }  // namespace
 }  // namespace beadmesh

@@ -29,7 +29,7 @@ class CrestTipFinder {
   std::optional<CrestTip> run() {
     if (!look_behind()) return std::nullopt;
     fit();
-    if (std::abs(2 * bend_[2]) * window > most_turn) return std::nullopt;
+    if (std::abs(2 * bend_[2]) / radius_ * window > most_turn) return std::nullopt;
     CrestTip tip;
     tip.kept = seen_.front();
     if (!find_tip(tip)) return std::nullopt;
@@ -154,7 +154,7 @@ class CrestTipFinder {
   std::vector<size_t> seen_;
   std::vector<double> walked_;
   Vec2 origin_, direction_;
-  double bend_[3] = {0, 0, 0};  ///< of the middle line, lengths along it in radii
+  double bend_[3] = {0, 0, 0};  ///< of the middle line, mm; lengths along it in radii
   double lean_ = 0;             ///< of the crest: aside per height
   double end_of_bend_ = 0;
 };

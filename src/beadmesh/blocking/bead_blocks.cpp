@@ -217,7 +217,9 @@ class BeadBlocks {
     const double mel = options_.min_edge;
     const double step = mel / 10;
     const double beyond = distance(node.point, node.medial_point);  // the ridge runs on to the tip
-    double d = std::max(0.0, 4 * mel - node.radius);
+    // Without a core the clamp needs less room.
+    const int rows_needed = options_.elements_across > 2 ? 4 : 2;
+    double d = std::max(0.0, rows_needed * mel - node.radius);
     for (; d + beyond < line.length(); d += step) {
       const AxisStation station = line.station(at_end ? line.length() - beyond - d : beyond + d);
       if (2 * station.radius > 2 * mel && station.subtended_angle > opposite_feet) break;

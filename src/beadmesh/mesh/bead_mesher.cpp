@@ -23,6 +23,8 @@ namespace {
 constexpr double acceptable_jacobian = 0.35;
 /// Good enough to stop looking for a better variant of the same method.
 constexpr double good_score = 0.84;
+/// Fewer elements across are tried below it.
+constexpr double fair_score = 0.6;
 /// Better shapes do not count.
 constexpr double good_jacobian = 0.86;
 
@@ -30,7 +32,7 @@ constexpr double good_jacobian = 0.86;
 constexpr double acceptable_deviation = 0.08;
 constexpr int most_across = 12;
 /// What a cut across may lose of its width in clamps and hubs.
-constexpr double across_margin = 1.15;
+constexpr double across_margin = 1.03;
 
 struct Width {
   double mean = 0, least = 0;
@@ -186,9 +188,9 @@ class BeadMesher {
           return result();
       }
       // Fewer elements across only where no clamp would do.
-      if (best_) return result();
+      if (best_ && best_->score >= fair_score) return result();
     }
-    return last_resort();
+    return best_ ? result() : last_resort();
   }
 
  private:

@@ -109,7 +109,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
       if (side > long_side) state.cost += 0.5 * square((side - long_side) / limits_.size);
     }
   }
-  if (aim == MotionAim::surface) state.cost += surface_cost(node);
+  if (aim == MotionAim::surface) add_deviations(node, state);
   return state;
 }
 
@@ -141,12 +141,11 @@ void NodeMotion::visit_deviations(Index node, Visit visit) const {
   }
 }
 
-double NodeMotion::surface_cost(Index node) const {
-  double cost = 0;
+void NodeMotion::add_deviations(Index node, State& state) const {
   visit_deviations(node, [&](double deviation, double weight) {
-    cost += 0.4 * weight * square(square(deviation / (surface_share * limits_.size)));
+    state.cost += 0.4 * weight * square(square(deviation / (surface_share * limits_.size)));
+    state.deviation = std::max(state.deviation, deviation);
   });
-  return cost;
 }
 
 double NodeMotion::deviation(Index node) const {
@@ -160,15 +159,20 @@ double NodeMotion::cost_at(Index node, const SurfacePlace& place, MotionAim aim)
   return measure(node, aim).cost;
 }
 
+/// Scaled Jacobian above which a step may make elements worse. Far from the surface, shape gives way.
+double NodeMotion::floor_of(const State& before, MotionAim aim) const {
+  if (aim == MotionAim::edges) return 0.25;
+  if (aim != MotionAim::surface) return limits_.floor;
+  return before.deviation > 1.5 * surface_share * limits_.size ? 0.55 : 0.97 * limits_.aim;
+}
+
 /// Guards: no new or greater shortage of edges, no worse element below the floor, and a gain (a variational
 /// step need not gain).
 bool NodeMotion::keep_if_better(Index node, const SurfacePlace& place, const State& before, MotionAim aim) {
   const SurfacePlace old = nodes_[node];
   nodes_.set(node, place);
   const State after = measure(node, aim);
-  const double floor = aim == MotionAim::edges     ? 0.25
-                       : aim == MotionAim::surface ? 0.97 * limits_.aim
-                                                   : limits_.floor;
+  const double floor = floor_of(before, aim);
   const bool kept = after.cost < before.cost * (1 - 1e-7) && after.shortage <= before.shortage &&
                     after.worst >= std::min(before.worst, floor);
   if (!kept) nodes_.set(node, old);

@@ -56,10 +56,11 @@ class NodeMotion {
 
  private:
   struct State {
-    double cost = 0, worst = 0, shortage = 0;
+    double cost = 0, worst = 0, shortage = 0, deviation = 0;
   };
   State measure(Index node, MotionAim aim) const;
-  double surface_cost(Index node) const;
+  void add_deviations(Index node, State& state) const;
+  double floor_of(const State& before, MotionAim aim) const;
   template <class Visit>
   void visit_deviations(Index node, Visit visit) const;
   double cost_at(Index node, const SurfacePlace& place, MotionAim aim);
