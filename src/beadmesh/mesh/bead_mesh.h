@@ -23,6 +23,7 @@ struct BeadMesh {
   std::vector<SlidingLine> lines;               ///< what sliding nodes slide along
   std::string method;                           ///< "blocks", "ridge" or "fallback"
   std::vector<std::string> notes;               ///< why an earlier method was left
+  int elements_across = 0;                      ///< of blocks; else 0
 };
 
 }  // namespace beadmesh
