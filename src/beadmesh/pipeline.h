@@ -13,6 +13,7 @@
 #include "beadmesh/medial/face_medial.h"
 #include "beadmesh/mesh/bead_control.h"
 #include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/mesh/size_field.h"
 #include "beadmesh/panel/panel.h"
 
 namespace beadmesh {
@@ -22,6 +23,7 @@ struct MeshSizes {
   double min_edge = 2.5;    ///< default 2.5 mm: minimum element length, hard
   double thickness = 1;     ///< default 1 mm: shell thickness written into the properties
   BeadControls beads = {};  ///< what is asked of single beads and kinds
+  std::vector<LocalSize> local = {};
 };
 
 /// Sections 3 and 4.1: every face that is a bead, with its medial object. Never fails for a single face.

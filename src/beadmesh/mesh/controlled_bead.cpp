@@ -35,41 +35,71 @@ std::vector<unsigned> sets_to_try(size_t asked) {
   return sets;
 }
 
-void add_notes(BeadMesh& mesh, const std::vector<Count>& asked, const BeadMeshControl& control, unsigned kept,
-               const std::string& reason) {
-  for (size_t i = 0; i < asked.size(); ++i)
-    if (!(kept >> i & 1))
-      mesh.notes.push_back(std::to_string(*(control.*asked[i].member)) + " " + asked[i].name +
-                           " not possible: " + reason);
-}
+/// Tries mesh_bead with fewer and fewer of the counts that are asked for.
+class Attempts {
+ public:
+  Attempts(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
+           const BeadMesherOptions& options)
+      : study_(study), medial_(medial), kind_(kind), options_(options) {
+    if (kind == BeadKind::annular) options_.control.clamp_rows.reset();
+    asked_ = asked_counts(options_.control);
+  }
+
+  Result<BeadMesh> run() {
+    if (options_.control.method == BeadMethod::ridge)
+      reasons_.assign(size_t(1) << asked_.size(), "ridge insertion has no counts");
+    else if (auto mesh = best_obedient())
+      return std::move(*mesh);
+    auto mesh = attempt(0, options_.control.method);
+    if (mesh) note_refusals(*mesh, 0);
+    return mesh;
+  }
+
+ private:
+  /// Blocks with as many of the counts as possible, at least one.
+  std::optional<BeadMesh> best_obedient() {
+    reasons_.resize(size_t(1) << asked_.size());
+    for (const unsigned set : sets_to_try(asked_.size())) {
+      auto mesh = attempt(set, BeadMethod::blocks);
+      if (mesh) {
+        note_refusals(*mesh, set);
+        return std::move(*mesh);
+      }
+      reasons_[set] = mesh.error().message;
+    }
+    return std::nullopt;
+  }
+
+  Result<BeadMesh> attempt(unsigned set, std::optional<BeadMethod> method) const {
+    BeadMesherOptions trial = options_;
+    trial.control.method = method;
+    for (size_t i = 0; i < asked_.size(); ++i)
+      if (!(set >> i & 1)) (trial.control.*asked_[i].member).reset();
+    return mesh_bead(study_, medial_, kind_, trial);
+  }
+
+  /// The reason against a count is what failed when it was tried with those that are kept.
+  void note_refusals(BeadMesh& mesh, unsigned kept) const {
+    for (size_t i = 0; i < asked_.size(); ++i)
+      if (!(kept >> i & 1))
+        mesh.refusals.push_back(std::string(asked_[i].name) + " " +
+                                std::to_string(*(options_.control.*asked_[i].member)) +
+                                " not possible: " + reasons_[kept | 1u << i]);
+  }
+
+  const FaceStudy& study_;
+  const MedialObject& medial_;
+  BeadKind kind_;
+  BeadMesherOptions options_;
+  std::vector<Count> asked_;
+  std::vector<std::string> reasons_;  ///< by set: why it failed
+};
 
 }  // namespace
 
 Result<BeadMesh> mesh_bead_as_asked(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
                                     const BeadMesherOptions& options) {
-  BeadMeshControl control = options.control;
-  if (kind == BeadKind::annular) control.clamp_rows.reset();
-  const std::vector<Count> asked = asked_counts(control);
-  BeadMesherOptions trial = options;
-  std::string reason = "ridge insertion has no counts";
-  if (control.method != BeadMethod::ridge) {
-    for (const unsigned set : sets_to_try(asked.size())) {
-      trial.control = control;
-      trial.control.method = BeadMethod::blocks;
-      for (size_t i = 0; i < asked.size(); ++i)
-        if (!(set >> i & 1)) (trial.control.*asked[i].member).reset();
-      auto mesh = mesh_bead(study, medial, kind, trial);
-      if (std::popcount(set) == int(asked.size()) && !mesh) reason = mesh.error().message;
-      if (!mesh) continue;
-      add_notes(*mesh, asked, control, set, reason);
-      return mesh;
-    }
-  }
-  trial.control = {};
-  trial.control.method = control.method;
-  auto mesh = mesh_bead(study, medial, kind, trial);
-  if (mesh) add_notes(*mesh, asked, control, 0, reason);
-  return mesh;
+  return Attempts(study, medial, kind, options).run();
 }
 
 }  // namespace beadmesh

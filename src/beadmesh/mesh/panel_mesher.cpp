@@ -37,6 +37,7 @@ class PanelMesher {
         controls_(std::move(controls)),
         context_(context),
         inner_min_edge_(options.min_edge * min_edge_margin),
+        field_(options.size, options.local_sizes),
         chains_(chains_of(panel)),
         nodes_(panel, chains_),
         face_meshes_(panel.faces.size()),
@@ -46,7 +47,8 @@ class PanelMesher {
       bead_of_face_[studied.table.beads[b].faces[0]] = Index(b);
     out_.meshing.resize(studied.table.beads.size());
     for (size_t b = 0; b < controls_.size(); ++b) {
-      out_.meshing[b].size = controls_[b].size.value_or(options.size);
+      out_.meshing[b].size =
+          controls_[b].size.value_or(field_.of_face(panel.faces[face_of(Index(b))].facets));
       out_.meshing[b].min_edge = controls_[b].min_edge.value_or(options.min_edge);
     }
   }
@@ -214,9 +216,17 @@ class PanelMesher {
       counts.push_back(nodes_.is_set(Index(c)) ? nodes_.count(Index(c)) : 0);
     const std::vector<int> before = counts;
     for (const auto& mesh : face_meshes_) free_faces.push_back(!mesh.has_value());
-    assign_chain_counts(chains_, free_faces, counts, {options_.size, inner_min_edge_});
-    for (size_t c = 0; c < counts.size(); ++c)
-      if (!before[c]) nodes_.place_evenly(Index(c), counts[c]);
+    ChainCountOptions options{options_.size, inner_min_edge_};
+    if (!field_.is_uniform())
+      for (const Chain& chain : chains_.chains) options.sizing.push_back(field_.along(panel_, chain));
+    assign_chain_counts(chains_, free_faces, counts, options);
+    for (size_t c = 0; c < counts.size(); ++c) {
+      if (before[c]) continue;
+      if (field_.is_uniform())
+        nodes_.place_evenly(Index(c), counts[c]);
+      else
+        nodes_.place_at(Index(c), options.sizing[c].stations(counts[c]));
+    }
   }
 
   void mesh_faces() {
@@ -251,6 +261,11 @@ class PanelMesher {
          "bead " + std::to_string(studied_.table.beads[b].id), "meshed as an ordinary face: " + why, ""});
   }
 
+  double size_of_face(Index face) const {
+    const Index b = bead_of_face_[face];
+    return b == no_index ? field_.of_face(panel_.faces[face].facets) : out_.meshing[b].size;
+  }
+
   /// Empty where it went well, else the reason.
   std::string mesh_one_face(Index face) {
     const FaceStudy& study = *studied_.studies[face];
@@ -267,7 +282,7 @@ class PanelMesher {
         out.boundary.emplace_back(local, node.id);
       }
     }
-    auto mesh = mesh_face(loops, *study.map, {options_.size, inner_min_edge_});
+    auto mesh = mesh_face(loops, *study.map, {size_of_face(face), inner_min_edge_});
     if (!mesh) return mesh.error().message;
     out.mesh = std::move(*mesh);
     face_meshes_[face] = std::move(out);
@@ -368,6 +383,7 @@ class PanelMesher {
   std::vector<BeadMeshControl> controls_;  ///< per bead
   const Context& context_;
   double inner_min_edge_;
+  SizeField field_;
   ChainSet chains_;
   ChainNodes nodes_;
   std::vector<std::optional<FaceMesh>> face_meshes_;
@@ -381,6 +397,8 @@ Result<PanelMesh> mesh_studied_panel(const Panel& panel, const StudiedPanel& stu
                                      const PanelMesherOptions& options, const Context& context) {
   auto controls = controls_of_beads(options.controls, panel, studied.table, options.size, options.min_edge);
   if (!controls) return tl::unexpected(controls.error());
+  if (auto good = check_local_sizes(options.local_sizes, options.min_edge); !good)
+    return tl::unexpected(good.error());
   return PanelMesher(panel, studied, options, std::move(*controls), context).run();
 }
 

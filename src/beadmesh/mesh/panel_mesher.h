@@ -11,6 +11,7 @@
 #include "beadmesh/core/result.h"
 #include "beadmesh/mesh/bead_control.h"
 #include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/mesh/size_field.h"
 #include "beadmesh/panel/panel.h"
 
 namespace beadmesh {
@@ -20,6 +21,7 @@ struct PanelMesherOptions {
   double min_edge = 2.5;  ///< default 2.5 mm: minimum element length, hard
   double thickness = 1;   ///< default 1 mm: written into the properties
   BeadControls controls = {};
+  std::vector<LocalSize> local_sizes = {};
 };
 
 /// What the stages before know of each face of the panel; null where it could not be laid flat.
