@@ -196,6 +196,11 @@ class PanelMesher {
     out_.meshing[b].elements = int(mesh.mesh.elements.size());
     out_.meshing[b].notes = std::move(mesh.notes);
     out_.meshing[b].elements_across = mesh.elements_across;
+    for (const std::string& refusal : mesh.refusals) {
+      out_.meshing[b].notes.push_back(refusal);
+      out_.table.diagnostics.push_back({"mesh.bead.control", Severity::warning, panel_.faces[face].number,
+                                        "bead " + std::to_string(studied_.table.beads[b].id), refusal, ""});
+    }
     out.mesh = std::move(mesh.mesh);
     face_meshes_[face] = std::move(out);
   }

@@ -6,9 +6,12 @@
 namespace beadmesh {
 namespace {
 
+/// Change of the target size per length outside a ball: elements grow by about a quarter from one to the
+/// next.
+constexpr double growth = 0.25;
 /// A step of sampling is at most this share of the least target size.
 constexpr double step_share = 0.2;
-/// Triangles are halved at most so often: 2^24 pieces of a facet at the rim of a ball.
+/// Triangles are halved at most so often: 2^24 pieces of a facet where the size changes.
 constexpr int most_halvings = 24;
 
 }  // namespace
@@ -41,19 +44,29 @@ std::vector<double> ChainSizing::stations(int elements) const {
 
 double SizeField::at(Vec3 point) const {
   double size = size_;
-  for (const LocalSize& one : local_)
-    if (distance(point, one.point) <= one.radius) size = one.size;
+  for (const LocalSize& one : local_) {
+    const double change = growth * std::max(0.0, distance(point, one.point) - one.radius);
+    size = std::clamp(size, one.size - change, one.size + change);
+  }
   return size;
 }
 
-/// Does the rim of a ball pass within `reach` of the point?
+/// Beyond the rim of a ball: how far its size is felt at most.
+double SizeField::ramp_width(const LocalSize& local) const {
+  double change = std::abs(size_ - local.size);
+  for (const LocalSize& one : local_) change = std::max(change, std::abs(one.size - local.size));
+  return change / growth;
+}
+
+/// Does the size change within `reach` of the point?
 bool SizeField::varies_near(Vec3 centre, double reach) const {
   return std::any_of(local_.begin(), local_.end(), [&](const LocalSize& one) {
-    return std::abs(distance(centre, one.point) - one.radius) <= reach;
+    const double beyond = distance(centre, one.point) - one.radius;
+    return beyond >= -reach && beyond <= ramp_width(one) + reach;
   });
 }
 
-/// Facets at a rim are halved until they are smaller than an element.
+/// Facets where the size changes are halved until they are smaller than an element.
 double SizeField::elements_in(Vec3 a, Vec3 b, Vec3 c, int depth) const {
   const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
   if (bc > std::max(ab, ca)) return elements_in(b, c, a, depth);

@@ -9,7 +9,7 @@
 
 namespace beadmesh {
 
-/// Inside the ball the target size is another one.
+/// Inside the ball the target size is another one; outside it changes to the size around by 0.25 mm a mm.
 struct LocalSize {
   Vec3 point;         ///< centre, mm
   double radius = 0;  ///< mm
@@ -35,13 +35,14 @@ class SizeField {
   SizeField(double size, std::vector<LocalSize> local) : size_(size), local_(std::move(local)) {}
 
   bool is_uniform() const { return local_.empty(); }
-  /// Of several balls around the point the last one holds.
+  /// Where balls overlap the last one holds.
   double at(Vec3 point) const;
   /// One size for the whole face: as many elements of it as of those of the field.
   double of_face(const Facets& facets) const;
   ChainSizing along(const Panel& panel, const Chain& chain) const;
 
  private:
+  double ramp_width(const LocalSize& local) const;
   bool varies_near(Vec3 centre, double reach) const;
   double elements_in(Vec3 a, Vec3 b, Vec3 c, int depth) const;
 
