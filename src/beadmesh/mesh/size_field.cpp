@@ -87,7 +87,8 @@ double SizeField::of_face(const Facets& facets) const {
     area += norm(cross(b - a, c - a)) / 2;
     elements += elements_in(a, b, c, 0);
   }
-  return elements > 0 ? std::sqrt(area / elements) : size_;
+  const bool untouched = std::abs(elements * size_ * size_ - area) <= 1e-9 * area;
+  return untouched ? size_ : std::sqrt(area / elements);
 }
 
 ChainSizing SizeField::along(const Panel& panel, const Chain& chain) const {
