@@ -42,14 +42,11 @@ class Attempts {
            const BeadMesherOptions& options)
       : study_(study), medial_(medial), kind_(kind), options_(options) {
     if (kind == BeadKind::annular) options_.control.clamp_rows.reset();
-    asked_ = asked_counts(options_.control);
+    if (options_.control.method != BeadMethod::ridge) asked_ = asked_counts(options_.control);
   }
 
   Result<BeadMesh> run() {
-    if (options_.control.method == BeadMethod::ridge)
-      reasons_.assign(size_t(1) << asked_.size(), "ridge insertion has no counts");
-    else if (auto mesh = best_obedient())
-      return std::move(*mesh);
+    if (auto mesh = best_obedient()) return std::move(*mesh);
     auto mesh = attempt(0, options_.control.method);
     if (mesh) note_refusals(*mesh, 0);
     return mesh;
@@ -78,14 +75,16 @@ class Attempts {
     return mesh_bead(study_, medial_, kind_, trial);
   }
 
-  /// The reason against a count is what failed when it was tried with those that are kept.
+  /// The reason against a count is what failed first when it was tried with those that are kept.
   void note_refusals(BeadMesh& mesh, unsigned kept) const {
     for (size_t i = 0; i < asked_.size(); ++i)
       if (!(kept >> i & 1))
         mesh.refusals.push_back(std::string(asked_[i].name) + " " +
                                 std::to_string(*(options_.control.*asked_[i].member)) +
-                                " not possible: " + reasons_[kept | 1u << i]);
+                                " not possible: " + first_of(reasons_[kept | 1u << i]));
   }
+
+  static std::string first_of(const std::string& reasons) { return reasons.substr(0, reasons.find(';')); }
 
   const FaceStudy& study_;
   const MedialObject& medial_;

@@ -7,8 +7,8 @@ namespace beadmesh {
 
 /// mesh_bead with the counts of the control. Where they cannot be met together (an edge under the minimum, an
 /// inverted element, no room), as few of them as possible are given up, elements across last;
-/// BeadMesh::refusals says which and why. A ring has no clamp rows, and only blocks obey counts. Fails like
-/// mesh_bead.
+/// BeadMesh::refusals says which and why. Rings pass over clamp rows, ridge insertion over all counts. Fails
+/// like mesh_bead.
 Result<BeadMesh> mesh_bead_as_asked(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
                                     const BeadMesherOptions& options);
 
