@@ -8,13 +8,15 @@
 
 #include "beadmesh/core/version.h"
 #include "config_file.h"
+#include "control_text.h"
 
 namespace beadmesh::app {
 namespace {
 
 /// What CLI11 fills in, before it is checked.
 struct RawOptions {
-  std::string input, config, face = "all";
+  std::string input, config, face = "all", method;
+  std::vector<std::string> beads, local_sizes;
   OutputNames outputs;
   bool feet = false;
   SettingsLayer flags;
@@ -33,6 +35,22 @@ void add_common(CLI::App& verb, RawOptions& raw) {
   add_unit(verb, raw);
 }
 
+void add_controls(CLI::App& verb, RawOptions& raw) {
+  BeadMeshControl& all = raw.flags.controls.all;
+  verb.add_option("--elements-across", all.elements_across, "elements across beads: even, or 1");
+  verb.add_option("--elements-along", all.elements_along,
+                  "elements along the strip of every arm; around a ring");
+  verb.add_option("--clamp-rows", all.clamp_rows, "rows of elements in the ends of beads");
+  verb.add_option("--method", raw.method, "automatic (default), blocks, ridge or face");
+  verb.add_option("--bead", raw.beads,
+                  "one bead: id=N or at=X:Y:Z, then size, min-edge, across, along, rows, method, as in\n"
+                  "id=3,across=6,size=4; may be repeated")
+      ->allow_extra_args(false);
+  verb.add_option("--local-size", raw.local_sizes,
+                  "element size in a ball: at=X:Y:Z,radius=R,size=S; may be repeated")
+      ->allow_extra_args(false);
+}
+
 void add_mesh(CLI::App& app, RawOptions& raw) {
   CLI::App& verb =
       *app.add_subcommand("mesh", "mesh a panel: recognised beads on purpose, the rest around them");
@@ -42,6 +60,7 @@ void add_mesh(CLI::App& app, RawOptions& raw) {
   verb.add_option("--min-edge", raw.flags.min_edge, "minimum element length, mm (default: half the size)");
   verb.add_option("--preset", raw.flags.preset,
                   "crash (5 / 2.5 mm), nvh (10 / 4 mm), durability (5 / 1.5 mm)");
+  add_controls(verb, raw);
   verb.add_option("--thickness", raw.flags.thickness, "sheet thickness in the properties, mm (default 1)");
   verb.add_option("--report", raw.outputs.report, "report: .html, or only the picture: .svg");
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
@@ -89,6 +108,26 @@ Result<Index> face_number(const std::string& text) {
   return number;
 }
 
+/// What CLI11 leaves as text.
+Result<void> read_texts(const RawOptions& raw, SettingsLayer& flags) {
+  if (!raw.method.empty()) {
+    flags.controls.all.method = bead_method_of(raw.method);
+    if (!flags.controls.all.method)
+      return fail("usage.method", fmt::format("unknown method '{}'", raw.method), known_methods);
+  }
+  for (const std::string& text : raw.beads) {
+    auto bead = single_bead_of(text);
+    if (!bead) return tl::make_unexpected(bead.error());
+    flags.controls.single.push_back(*bead);
+  }
+  for (const std::string& text : raw.local_sizes) {
+    auto size = local_size_of(text);
+    if (!size) return tl::make_unexpected(size.error());
+    flags.local_sizes.push_back(*size);
+  }
+  return {};
+}
+
 Result<Settings> settings_of(Verb verb, const RawOptions& raw) {
   Settings settings;
   if (!raw.config.empty()) {
@@ -97,6 +136,7 @@ Result<Settings> settings_of(Verb verb, const RawOptions& raw) {
     if (auto done = apply(*layer, settings); !done) return tl::make_unexpected(done.error());
   }
   SettingsLayer flags = raw.flags;
+  if (auto done = read_texts(raw, flags); !done) return tl::make_unexpected(done.error());
   if (verb == Verb::check && flags.min_edge && !flags.size)
     flags.size = flags.min_edge;  // not a contradiction there
   if (auto done = apply(flags, settings); !done) return tl::make_unexpected(done.error());

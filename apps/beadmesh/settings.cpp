@@ -7,6 +7,8 @@
 namespace beadmesh::app {
 namespace {
 
+constexpr BeadKind all_kinds[] = {BeadKind::I, BeadKind::generic, BeadKind::annular};
+
 struct Preset {
   const char* name;
   double size, min_edge;
@@ -34,6 +36,15 @@ void apply_sizes(const SettingsLayer& layer, MeshSizes& sizes) {
   sizes.thickness = layer.thickness.value_or(sizes.thickness);
 }
 
+void apply_controls(const SettingsLayer& layer, MeshSizes& sizes) {
+  sizes.beads.all = overlaid(sizes.beads.all, layer.controls.all);
+  for (const BeadKind kind : all_kinds)
+    sizes.beads.of(kind) = overlaid(sizes.beads.of(kind), layer.controls.of(kind));
+  const auto append = [](auto& list, const auto& more) { list.insert(list.end(), more.begin(), more.end()); };
+  append(sizes.beads.single, layer.controls.single);
+  append(sizes.local, layer.local_sizes);
+}
+
 void set(double& target, const std::optional<double>& value, double factor = 1) {
   if (value) target = *value * factor;
 }
@@ -54,12 +65,22 @@ Result<void> check_bound(const Bound& b) {
               fmt::format("it must be {} {} and at most {}", b.open ? "above" : "at least", b.low, b.high));
 }
 
+Result<void> check_beads(const MeshSizes& sizes) {
+  std::vector<BeadMeshControl> controls{sizes.beads.all};
+  for (const BeadKind kind : all_kinds) controls.push_back(sizes.beads.of(kind));
+  for (const auto& [selection, control] : sizes.beads.single) controls.push_back(control);
+  for (const BeadMeshControl& control : controls)
+    if (auto good = check_control(control, sizes.size, sizes.min_edge); !good) return good;
+  return {};
+}
+
 }  // namespace
 
 Result<void> apply(const SettingsLayer& layer, Settings& settings) {
   if (layer.preset)
     if (auto known = apply_preset(*layer.preset, settings.sizes); !known) return known;
   apply_sizes(layer, settings.sizes);
+  apply_controls(layer, settings.sizes);
   settings.jobs = layer.jobs.value_or(settings.jobs);
   settings.read.unit = layer.unit.value_or(settings.read.unit);
   set(settings.beads.min_aspect_ratio, layer.min_aspect_ratio);
@@ -96,7 +117,8 @@ Result<void> check(const Settings& s) {
                 fmt::format("the minimum edge length {} mm is above the element size {} mm", s.sizes.min_edge,
                             s.sizes.size),
                 "half the size is usual");
-  return {};
+  if (auto good = check_local_sizes(s.sizes.local, s.sizes.min_edge); !good) return good;
+  return check_beads(s.sizes);
 }
 
 }  // namespace beadmesh::app

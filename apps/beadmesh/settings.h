@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "beadmesh/core/result.h"
 #include "beadmesh/pipeline.h"
@@ -25,13 +26,15 @@ struct SettingsLayer {
   std::optional<std::string> unit;
   std::optional<double> min_aspect_ratio, max_joint_angle, min_rise;            ///< angle in degrees
   std::optional<double> chord, angle, max_facet, sew_tolerance, feature_angle;  ///< angles in degrees
+  BeadControls controls;
+  std::vector<LocalSize> local_sizes;
 };
 
-/// The preset of the layer first, then its values. A size without a minimum edge keeps their ratio. Fails
-/// with usage.preset.
+/// The preset of the layer first, then its values. A size without a minimum edge keeps their ratio. Single
+/// beads and local sizes of the layer follow those of earlier layers. Fails with usage.preset.
 Result<void> apply(const SettingsLayer& layer, Settings& settings);
 
-/// Fails with usage.* where a value makes no sense, alone or with the others; says which.
+/// Fails with usage.* and control.* where a value makes no sense, alone or with the others; says which.
 Result<void> check(const Settings& settings);
 
 }  // namespace beadmesh::app

@@ -172,7 +172,8 @@ Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const B
                              const Context& context) {
   const JobLimit limit(context.jobs);
   const StudiedPanel studied = study_panel(panel, options, context);
-  return mesh_studied_panel(panel, studied, {sizes.size, sizes.min_edge, sizes.thickness}, context);
+  return mesh_studied_panel(panel, studied,
+                            {sizes.size, sizes.min_edge, sizes.thickness, sizes.beads, sizes.local}, context);
 }
 
 Result<FaceMedial> medial_of_face(const Panel& panel, Index face) {

@@ -11,21 +11,25 @@
 #include "beadmesh/core/result.h"
 #include "beadmesh/flatten/cut_open.h"
 #include "beadmesh/medial/face_medial.h"
+#include "beadmesh/mesh/bead_control.h"
 #include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/mesh/size_field.h"
 #include "beadmesh/panel/panel.h"
 
 namespace beadmesh {
 
 struct MeshSizes {
-  double size = 5;        ///< default 5 mm: target element length
-  double min_edge = 2.5;  ///< default 2.5 mm: minimum element length, hard
-  double thickness = 1;   ///< default 1 mm: shell thickness written into the properties
+  double size = 5;          ///< default 5 mm: target element length
+  double min_edge = 2.5;    ///< default 2.5 mm: minimum element length, hard
+  double thickness = 1;     ///< default 1 mm: shell thickness written into the properties
+  BeadControls beads = {};  ///< what is asked of single beads and kinds
+  std::vector<LocalSize> local = {};
 };
 
 /// Sections 3 and 4.1: every face that is a bead, with its medial object. Never fails for a single face.
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});
 
-/// Sections 4.2 to 5.3. Fails only where nothing could be meshed at all.
+/// Sections 4.2 to 5.3. Fails only where nothing could be meshed at all, or with control.*.
 Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const BeadOptions& options = {},
                              const Context& context = {});
 

@@ -52,6 +52,21 @@ TEST(ChainCounts, AreLengthsByTheSize) {
   for (const int n : counts) EXPECT_EQ(n, 8);
 }
 
+TEST(ChainCounts, FollowTheSizingAndKeepTheMinimumWhereItIsFinest) {
+  const ChainSet set = checkerboard(2, 1, [] { return 40.0; });
+  ChainCountOptions options{5, 2.5};
+  // 20 mm of size 10 and 20 mm of the second size, on every chain.
+  const auto sized = [&](double size) {
+    options.sizing.assign(set.chains.size(), {{0, 20, 40}, {0, 2, 2 + 20 / size}, size});
+    std::vector<int> counts(set.chains.size(), 0);
+    assign_chain_counts(set, {true, true}, counts, options);
+    return counts;
+  };
+  for (const int n : sized(5)) EXPECT_EQ(n, 6);
+  for (const int n : sized(2.6)) EXPECT_EQ(n, 9) << "ten would have 2.52 mm at the finest, under 1.04 times 2.5";
+  for (const int n : sized(1.25)) EXPECT_EQ(n, 8) << "18 elements, the shortest at least 1.04 times 2.5 mm";
+}
+
 TEST(ChainCounts, OneChainOfAnOddFaceChangesByOne) {
   double lengths[] = {40, 40, 40, 45};
   int next = 0;

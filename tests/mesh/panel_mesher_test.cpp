@@ -129,6 +129,106 @@ TEST(PanelMesher, NestedRingsShareTheirNodes) {
   EXPECT_EQ(mesh->quality.edges_below_min, 0);
 }
 
+/// Positions of the nodes of a bead's elements, in the order of the elements.
+std::vector<Vec3> bead_nodes(const ShellMesh& mesh, Index bead) {
+  std::vector<Vec3> points;
+  for (const ShellElement& element : mesh.elements)
+    for (int k = 0; element.bead == bead && k < corner_count(element.nodes); ++k)
+      points.push_back(mesh.nodes[element.nodes[k]]);
+  return points;
+}
+
+TEST(PanelMesher, ControlOfOneBeadChangesNoOther) {
+  const Panel panel = plate_of_every_kind();
+  const StudiedPanel study = studied(panel, 3);
+  PanelMesherOptions options;
+  const auto before = mesh_studied_panel(panel, study, options);
+  BeadMeshControl control;
+  control.size = 4;
+  control.elements_across = 2;
+  options.controls.single = {{{0, study.table.beads[0].point}, control}};
+  const auto after = mesh_studied_panel(panel, study, options);
+  ASSERT_TRUE(before && after);
+  EXPECT_NE(before->meshing[0].elements_across, 2);
+  EXPECT_EQ(after->meshing[0].elements_across, 2);
+  EXPECT_EQ(after->meshing[0].size, 4);
+  EXPECT_NE(bead_nodes(after->mesh, 1), bead_nodes(before->mesh, 1));
+  for (const Index other : {2, 3}) {
+    EXPECT_EQ(after->meshing[other - 1].size, 5);
+    EXPECT_EQ(bead_nodes(after->mesh, other), bead_nodes(before->mesh, other));
+  }
+  EXPECT_EQ(free_edges_inside(after->mesh, 240, 150), 0);
+}
+
+TEST(PanelMesher, MethodFaceIsNoShortfallAndARefusalIsNamed) {
+  const Panel panel = plate_of_every_kind();
+  PanelMesherOptions options;
+  options.controls.of(BeadKind::I).method = BeadMethod::face;
+  options.controls.of(BeadKind::annular).elements_along = 31;
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), options);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(mesh->meshing[0].method, "face");
+  EXPECT_GT(mesh->meshing[0].elements, 0);
+  EXPECT_EQ(mesh->meshing[1].method, "blocks");
+  EXPECT_EQ(mesh->meshing[2].method, "blocks");
+  ASSERT_EQ(mesh->meshing[2].notes.size(), 1);
+  ASSERT_EQ(mesh->table.diagnostics.size(), 1) << "none for the face that was asked for";
+  EXPECT_EQ(mesh->table.diagnostics[0].code, "mesh.bead.control");
+  EXPECT_EQ(mesh->table.diagnostics[0].entity, "bead 3");
+  EXPECT_EQ(free_edges_inside(mesh->mesh, 240, 150), 0);
+}
+
+TEST(PanelMesher, ControlsOfNestedRingsAreShared) {
+  BeadPlate plate(140, 140);
+  plate.add(examples::circular_ring(50, 14), 5);
+  plate.add_ring_inside({0, 0}, 36, 14, -5);
+  const Panel panel = plate.take();
+  PanelMesherOptions options;
+  BeadMeshControl control;
+  control.elements_along = 36;
+  options.controls.single = {{{2, {}}, control}};
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 2), options);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  for (const BeadMeshing& meshing : mesh->meshing) {
+    EXPECT_EQ(meshing.notes, std::vector<std::string>{});
+    EXPECT_EQ(meshing.elements, 36 * meshing.elements_across);
+  }
+}
+
+TEST(PanelMesher, LocalSizeRefinesTheBoundariesAndTheBeadInTheBall) {
+  const Panel panel = plate_of_every_kind();
+  const StudiedPanel study = studied(panel, 3);
+  PanelMesherOptions options;
+  options.min_edge = 1.2;
+  const auto before = mesh_studied_panel(panel, study, options);
+  options.local_sizes = {{{-120, 75, 0}, 90, 3}};
+  const auto after = mesh_studied_panel(panel, study, options);
+  ASSERT_TRUE(before && after);
+  const auto on_top = [](const ShellMesh& mesh, bool left) {
+    return std::count_if(mesh.nodes.begin(), mesh.nodes.end(),
+                         [&](Vec3 p) { return std::abs(p.y - 75) < 1e-6 && (left ? p.x < -40 : p.x > 40); });
+  };
+  EXPECT_GT(on_top(after->mesh, true), 1.5 * double(on_top(before->mesh, true)));
+  EXPECT_NEAR(double(on_top(after->mesh, false)), double(on_top(before->mesh, false)), 1)
+      << "an even number on the whole chain may shift one";
+  EXPECT_LT(after->meshing[0].size, 3.5);
+  EXPECT_GT(after->meshing[0].elements, 1.5 * before->meshing[0].elements);
+  EXPECT_EQ(after->meshing[2].size, 5);
+  EXPECT_EQ(after->quality.edges_below_min, 0);
+  EXPECT_EQ(free_edges_inside(after->mesh, 240, 150), 0);
+}
+
+TEST(PanelMesher, RefusesControlsThatMakeNoSense) {
+  const Panel panel = plate_of_every_kind();
+  const StudiedPanel study = studied(panel, 3);
+  PanelMesherOptions options;
+  options.controls.single = {{{9, {}}, {}}};
+  EXPECT_EQ(mesh_studied_panel(panel, study, options).error().code, "control.bead");
+  options.controls = {};
+  options.local_sizes = {{{0, 0, 0}, 10, 1}};
+  EXPECT_EQ(mesh_studied_panel(panel, study, options).error().code, "control.local_size");
+}
+
 TEST(PanelMesher, BeadThatDefeatsItsMethodsIsAnOrdinaryFaceAndNamed) {
   BeadPlate plate(120, 60);
   plate.add(examples::straight_bead(60, 4), 0.7);

@@ -67,7 +67,7 @@ inline BeadTable plate_table() {
 inline PanelMesh plate() {
   PanelMesh panel;
   panel.table = plate_table();
-  panel.meshing = {{"blocks", 48, {}}};
+  panel.meshing = {{"blocks", 48, {}, 4, 5, 2.5}};
   panel.mesh = plate_mesh();
   panel.quality.nodes = static_cast<int>(panel.mesh.nodes.size());
   panel.quality.quads = static_cast<int>(panel.mesh.elements.size());

@@ -256,6 +256,8 @@ class BeadBlocks {
   Result<void> place_short_arm(Index a, bool start_tip, bool end_tip, double middle) {
     if (!start_tip && !end_tip)
       return fail("blocking.short_arm", "two junctions are too near for a block between them");
+    if (options_.elements_along)
+      return fail("blocking.no_strip", "an arm is too short for a strip with a number of elements along");
     Chord shared =
         start_tip && end_tip ? chord_on_arm(a, middle) : (start_tip ? end_chord_[a] : start_chord_[a]);
     add_chord_edges(builder_, shared, options_.elements_across, true);
@@ -269,12 +271,13 @@ class BeadBlocks {
     if (end_tip)
       add_end_cap(builder_, end_chord_[a], node_vertex_[ridge_.arms[a].end],
                   line.between(end_chord_[a].along, line.length()), options_.elements_across, options_.size,
-                  options_.min_edge, options_.extra_rows);
+                  options_.min_edge, options_.extra_rows, options_.clamp_rows);
     if (!start_tip) return;
     std::vector<Vec2> crest = line.between(0, start_chord_[a].along);
     std::reverse(crest.begin(), crest.end());
     add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest,
-                options_.elements_across, options_.size, options_.min_edge, options_.extra_rows);
+                options_.elements_across, options_.size, options_.min_edge, options_.extra_rows,
+                options_.clamp_rows);
   }
 
   /// True where the touching line keeps the order of its neighbours on both boundaries.
@@ -298,7 +301,12 @@ class BeadBlocks {
   /// Touching lines about every four elements keep the two sides of a winding arm in step.
   void add_strip(Index a, const Chord& first, const Chord& last) {
     const double length = last.along - first.along;
-    const int pieces = std::max(1, int(std::lround(length / (4 * options_.size))));
+    const int asked = options_.elements_along;
+    const double size = asked ? length / asked : options_.size;
+    const int pieces = std::max(1, int(std::lround(length / (4 * size))));
+    const auto count_to = [&](double along) {
+      return int(std::lround(asked * (along - first.along) / length));
+    };
     Chord before = first;
     for (int i = 1; i < pieces; ++i) {
       const double along = first.along + length * i / pieces;
@@ -311,10 +319,10 @@ class BeadBlocks {
       trial.along = along;
       trial.middle = builder_.add_vertex(arms_[a].point(along));
       add_chord_edges(builder_, trial, options_.elements_across, false);
-      add_strip_blocks(a, before, trial);
+      add_strip_blocks(a, before, trial, count_to(along) - count_to(before.along));
       before = trial;
     }
-    add_strip_blocks(a, before, last);
+    add_strip_blocks(a, before, last, count_to(last.along) - count_to(before.along));
   }
 
   static std::vector<Index> back(std::vector<Index> path) {
@@ -322,8 +330,10 @@ class BeadBlocks {
     return path;
   }
 
-  void add_strip_blocks(Index a, const Chord& from, const Chord& to) {
-    builder_.add_edge(from.middle, to.middle, VirtualEdgeKind::ridge, arms_[a].between(from.along, to.along));
+  /// `count` elements along; 0: from the size.
+  void add_strip_blocks(Index a, const Chord& from, const Chord& to, int count) {
+    builder_.add_edge(from.middle, to.middle, VirtualEdgeKind::ridge, arms_[a].between(from.along, to.along),
+                      count);
     builder_.add_boundary_edge(from.left, to.left, true);
     builder_.add_boundary_edge(from.right, to.right, false);
     builder_.add_block(

@@ -13,6 +13,8 @@ struct BeadBlockOptions {
   double min_edge = 2.5;    ///< default 2.5 mm: minimum element length
   int elements_across = 4;  ///< default 4: even
   int extra_rows = 0;       ///< default 0: rows along the clamps beyond the best number for the size
+  int elements_along = 0;   ///< default 0: from the size; on the strip of every arm
+  int clamp_rows = 0;       ///< default 0: from the size; p of figure 15a
 };
 
 /// I-beads by the split lines of section 4.2 and the clamp of figure 15a; every arm of a generic bead

@@ -43,7 +43,7 @@ std::vector<Vec2> inner_part(const std::vector<Vec2>& line, double from_share, d
 class CapBuilder {
  public:
   CapBuilder(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
-             int m, double size, double min_edge, int extra_rows)
+             int m, double size, double min_edge, int extra_rows, int rows)
       : builder_(builder), chord_(chord), tip_(tip), half_core_((m - 2) / 2) {
     crest_.push_back(builder.point_of(chord.middle));
     crest_.insert(crest_.end(), crest.begin(), crest.end());
@@ -54,7 +54,7 @@ class CapBuilder {
     tip_at_ = vertices[tip].boundary.position;
     left_arc_ = boundary_distance(builder, left_at_, tip_at_, loop_);
     right_arc_ = boundary_distance(builder, tip_at_, vertices[chord.right].boundary.position, loop_);
-    rows_ = std::max(1, best_rows(cap_scale * size, min_edge) + extra_rows);
+    rows_ = rows ? rows : std::max(1, best_rows(cap_scale * size, min_edge) + extra_rows);
   }
 
   /// Rows along the cap: elements near the size both round the arc and along the crest; none under the
@@ -178,8 +178,8 @@ void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_acr
 }
 
 void add_end_cap(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
-                 int elements_across, double size, double min_edge, int extra_rows) {
-  CapBuilder(builder, chord, tip, crest, elements_across, size, min_edge, extra_rows).run();
+                 int elements_across, double size, double min_edge, int extra_rows, int rows) {
+  CapBuilder(builder, chord, tip, crest, elements_across, size, min_edge, extra_rows, rows).run();
 }
 
 }  // namespace beadmesh

@@ -30,8 +30,9 @@ void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_acr
 
 /// Adds the clamp of figure 15a (m = elements_across, q = m - 2) beyond a cut whose direction points to the
 /// tip. `tip`: the boundary vertex; `crest`: inner points of the ridge from the cut to the tip. For m = 2 the
-/// core vanishes. `extra_rows`: along the clamp, beyond what suits the size.
+/// core vanishes. `extra_rows`: along the clamp, beyond what suits the size; `rows` (p) above 0: exactly
+/// these.
 void add_end_cap(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
-                 int elements_across, double size, double min_edge, int extra_rows = 0);
+                 int elements_across, double size, double min_edge, int extra_rows = 0, int rows = 0);
 
 }  // namespace beadmesh

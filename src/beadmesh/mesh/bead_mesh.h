@@ -23,6 +23,8 @@ struct BeadMesh {
   std::vector<SlidingLine> lines;               ///< what sliding nodes slide along
   std::string method;                           ///< "blocks", "ridge" or "fallback"
   std::vector<std::string> notes;               ///< why an earlier method was left
+  std::vector<std::string> refusals;            ///< counts asked for that could not be met, and why
+  int elements_across = 0;                      ///< of blocks; else 0
 };
 
 }  // namespace beadmesh

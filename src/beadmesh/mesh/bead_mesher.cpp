@@ -160,11 +160,15 @@ class BeadMesher {
     blocks.prescribed = options_.prescribed;
     double around = 0;
     for (const SkeletonArm& arm : skeleton_.arms) around += length_of(arm);
-    blocks.elements_around = options_.elements_around
+    if (const auto asked = options_.control.elements_along) {
+      if (const auto fits = check_around(*asked); !fits) return tl::unexpected(fits.error());
+    }
+    blocks.elements_around = options_.control.elements_along ? *options_.control.elements_along
+                             : options_.elements_around
                                  ? options_.elements_around
                                  : std::max(8, 2 * int(std::lround(around / options_.size / 2)));
-    for (int m = across(); m >= 2; m -= 2) {
-      blocks.elements_across = m;
+    for (int m : counts_across()) {
+      blocks.elements_across = across_ = m;
       if (attempt("blocks", [&] {
             return mesh_layout(blocks_of_annular_bead(crest_, study_.region, blocks), *study_.map, options_);
           }))
@@ -178,9 +182,16 @@ class BeadMesher {
     if (is_prescribed(options_))
       return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
-    for (int m = across(); m >= 2; m -= 2) {
+    for (int m : counts_across()) {
+      across_ = m;
       for (int extra_rows : {0, 1, -1, 2}) {
-        const BeadBlockOptions blocks{options_.size, options_.min_edge, m, extra_rows};
+        if (extra_rows && options_.control.clamp_rows) break;
+        const BeadBlockOptions blocks{options_.size,
+                                      options_.min_edge,
+                                      m,
+                                      extra_rows,
+                                      options_.control.elements_along.value_or(0),
+                                      options_.control.clamp_rows.value_or(0)};
         if (attempt("blocks", [&] {
               return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map,
                                  options_);
@@ -194,6 +205,26 @@ class BeadMesher {
   }
 
  private:
+  BeadMethod method() const { return options_.control.method.value_or(BeadMethod::automatic); }
+
+  /// Elements across to be tried by blocks, best first; none where another method is asked for.
+  std::vector<int> counts_across() const {
+    if (method() == BeadMethod::ridge) return {};
+    if (const auto asked = options_.control.elements_across) return {*asked};
+    std::vector<int> counts;
+    for (int m = across(); m >= 2; m -= 2) counts.push_back(m);
+    return counts;
+  }
+
+  Result<void> check_around(int asked) const {
+    if (asked < 8 || asked % 2)
+      return fail("mesh.bead.around", "a ring needs an even number of elements around, at least 8");
+    for (const auto& nodes : options_.prescribed)
+      if (!nodes.empty() && int(nodes.size()) != asked)
+        return fail("mesh.bead.around", "a neighbour has set " + std::to_string(nodes.size()) + " around");
+    return {};
+  }
+
   /// The even number nearest to the size; more where the sections need it and the minimum length allows it.
   int across() const {
     int m = elements_across(width_.mean, width_.least, {options_.size, options_.min_edge});
@@ -217,12 +248,16 @@ class BeadMesher {
 
   /// Reasons are told only where the first method failed altogether.
   Result<BeadMesh> result() {
-    if (best_->mesh.method != "blocks") best_->mesh.notes = reasons_;
+    if (best_->mesh.method == "blocks")
+      best_->mesh.elements_across = across_;
+    else
+      best_->mesh.notes = reasons_;
     return std::move(best_->mesh);
   }
 
   Result<BeadMesh> last_resort() {
-    if (!is_prescribed(options_)) attempt("ridge", [&] { return by_ridge(); });
+    if (!is_prescribed(options_) && method() != BeadMethod::blocks)
+      attempt("ridge", [&] { return by_ridge(); });
     if (best_) return result();
     std::string all;
     for (const std::string& reason : reasons_) all += (all.empty() ? "" : "; ") + reason;
@@ -246,6 +281,7 @@ class BeadMesher {
   Skeleton skeleton_;
   Skeleton crest_;  ///< the same, its points on the crest
   Width width_;
+  int across_ = 0;  ///< of the blocks tried last
   std::vector<std::string> reasons_;
   std::optional<Judged> best_;
 };
@@ -254,6 +290,8 @@ class BeadMesher {
 
 Result<BeadMesh> mesh_bead(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
                            const BeadMesherOptions& options) {
+  if (options.control.elements_across == 1)
+    return fail("mesh.bead.across", "blocks need two elements across, one on each side of the crest");
   BeadMesher mesher(study, medial, options);
   return kind == BeadKind::annular ? mesher.annular() : mesher.armed();
 }

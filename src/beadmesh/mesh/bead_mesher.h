@@ -5,6 +5,7 @@
 #include "beadmesh/bead/face_study.h"
 #include "beadmesh/core/result.h"
 #include "beadmesh/medial/medial_object.h"
+#include "beadmesh/mesh/bead_control.h"
 #include "beadmesh/mesh/bead_mesh.h"
 
 namespace beadmesh {
@@ -15,11 +16,13 @@ struct BeadMesherOptions {
   int elements_around = 0;  ///< default 0: from the size; annular beads only, even
   /// Per loop: arc lengths of nodes that an already meshed neighbour has set, ascending; empty: free.
   std::vector<std::vector<double>> prescribed;
+  /// Method and counts that the user asks for; its lengths are those above.
+  BeadMeshControl control = {};
 };
 
-/// Blocks first, then ridge insertion; smoothed. Fails where neither gives a mesh without inverted elements
-/// and without edges below min_edge: the caller then meshes the face as an ordinary one. The failure's
-/// message holds all reasons.
+/// Blocks first, then ridge insertion; smoothed. Blocks have exactly the counts of the control. Fails where
+/// neither gives a mesh without inverted elements and without edges below min_edge: the caller then meshes
+/// the face as an ordinary one. The failure's message holds all reasons.
 Result<BeadMesh> mesh_bead(const FaceStudy& study, const MedialObject& medial, BeadKind kind,
                            const BeadMesherOptions& options = {});
 

@@ -11,10 +11,14 @@ class ParitySolver {
  public:
   ParitySolver(const ChainSet& chains, const std::vector<bool>& free_faces, std::vector<int>& counts,
                const ChainCountOptions& options)
-      : chains_(chains), free_faces_(free_faces), counts_(counts), options_(options) {
+      : chains_(chains), free_faces_(free_faces), counts_(counts) {
     for (size_t c = 0; c < counts.size(); ++c) {
+      const double length = chains.chains[c].length(), room = 1.04 * options.min_edge;
+      const bool uniform = options.sizing.empty();
+      wanted_.push_back(uniform ? length / options.size : options.sizing[c].count());
+      room_.push_back(uniform ? length / room : wanted_[c] * options.sizing[c].finest / room);
       fixed_.push_back(counts[c] > 0);
-      if (!fixed_[c]) counts[c] = natural_count(chains.chains[c]);
+      if (!fixed_[c]) counts[c] = natural_count(Index(c));
     }
   }
 
@@ -25,30 +29,26 @@ class ParitySolver {
 
  private:
   /// A closed chain needs four nodes to bound anything; open ones may be a single element.
-  static int least_count(const Chain& chain) { return chain.closed ? 4 : 1; }
+  int least_count(Index c) const { return chains_.chains[c].closed ? 4 : 1; }
 
-  int most_count(const Chain& chain) const {
-    return std::max(least_count(chain), int(std::floor(chain.length() / (1.04 * options_.min_edge))));
-  }
+  int most_count(Index c) const { return std::max(least_count(c), int(std::floor(room_[c]))); }
 
-  int natural_count(const Chain& chain) const {
-    const int n =
-        std::clamp(int(std::lround(chain.length() / options_.size)), least_count(chain), most_count(chain));
-    return chain.closed && n % 2 ? changed(chain, n) : n;
+  int natural_count(Index c) const {
+    const int n = std::clamp(int(std::lround(wanted_[c])), least_count(c), most_count(c));
+    return chains_.chains[c].closed && n % 2 ? changed(c, n) : n;
   }
 
   /// One more or one less, whichever keeps the elements nearer to the size and above the minimum.
-  int changed(const Chain& chain, int n) const {
-    if (n <= least_count(chain)) return n + 1;
-    if (n >= most_count(chain)) return n - 1;
-    const double fewer = std::log(chain.length() / ((n - 1) * options_.size));
-    const double more = std::log(chain.length() / ((n + 1) * options_.size));
+  int changed(Index c, int n) const {
+    if (n <= least_count(c)) return n + 1;
+    if (n >= most_count(c)) return n - 1;
+    const double fewer = std::log(wanted_[c] / (n - 1));
+    const double more = std::log(wanted_[c] / (n + 1));
     return std::abs(more) < std::abs(fewer) ? n + 1 : n - 1;
   }
 
   double cost(Index c) const {
-    const Chain& chain = chains_.chains[c];
-    const bool too_short = counts_[c] <= least_count(chain) && counts_[c] >= most_count(chain);
+    const bool too_short = counts_[c] <= least_count(c) && counts_[c] >= most_count(c);
     return 1.0 / counts_[c] + (too_short ? 1e3 : 0);
   }
 
@@ -95,13 +95,14 @@ class ParitySolver {
 
   void change_path(Index end, Index start, const std::vector<Index>& by, const std::vector<Index>& from) {
     for (Index face = end; face != start; face = from[face])
-      counts_[by[face]] = changed(chains_.chains[by[face]], counts_[by[face]]);
+      counts_[by[face]] = changed(by[face], counts_[by[face]]);
   }
 
   const ChainSet& chains_;
   const std::vector<bool>& free_faces_;
   std::vector<int>& counts_;
-  ChainCountOptions options_;
+  std::vector<double> wanted_;  ///< elements of the target size
+  std::vector<double> room_;    ///< elements of the minimum length
   std::vector<bool> fixed_;
 };
 

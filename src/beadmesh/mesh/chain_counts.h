@@ -3,13 +3,15 @@
 
 #include <vector>
 
+#include "beadmesh/mesh/size_field.h"
 #include "beadmesh/panel/chain.h"
 
 namespace beadmesh {
 
 struct ChainCountOptions {
-  double size = 5;        ///< default 5 mm: target element length
-  double min_edge = 2.5;  ///< default 2.5 mm: minimum element length
+  double size = 5;                       ///< default 5 mm: target element length
+  double min_edge = 2.5;                 ///< default 2.5 mm: minimum element length
+  std::vector<ChainSizing> sizing = {};  ///< per chain, where the size is not the same everywhere
 };
 
 /// counts[c] > 0 is already set by a bead and stays. The others become length / size, then chains along the

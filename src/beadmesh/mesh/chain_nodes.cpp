@@ -74,14 +74,18 @@ Index ChainNodes::add_node(Index chain, double arc_length) {
 }
 
 void ChainNodes::place_evenly(Index c, int count) {
+  std::vector<double> arc_lengths;
+  for (int i = 0; i <= count; ++i) arc_lengths.push_back(chains_.chains[c].length() * i / count);
+  place_at(c, arc_lengths);
+}
+
+void ChainNodes::place_at(Index c, const std::vector<double>& arc_lengths) {
   const Chain& chain = chains_.chains[c];
   auto& nodes = nodes_[c];
   nodes.clear();
   if (!chain.closed) nodes.push_back({0, vertex_node(chain.points.front())});
-  for (int i = chain.closed ? 0 : 1; i < count; ++i) {
-    const double at = chain.length() * i / count;
-    nodes.push_back({at, add_node(c, at)});
-  }
+  for (size_t i = chain.closed ? 0 : 1; i + 1 < arc_lengths.size(); ++i)
+    nodes.push_back({arc_lengths[i], add_node(c, arc_lengths[i])});
   if (!chain.closed) nodes.push_back({chain.length(), vertex_node(chain.points.back())});
 }
 

@@ -35,6 +35,8 @@ class ChainNodes {
 
   /// Evenly spaced nodes; ends of open chains are shared with the chains that meet there.
   void place_evenly(Index chain, int count);
+  /// Nodes at these arc lengths, from 0 to the length of the chain, ascending.
+  void place_at(Index chain, const std::vector<double>& arc_lengths);
   /// Nodes where a bead has put them on its boundary, which must be made of closed chains; returns their ids
   /// in the order given.
   std::vector<Index> place_from_face(Index face, const PlanarRegion& region,

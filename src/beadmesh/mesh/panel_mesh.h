@@ -12,9 +12,12 @@ namespace beadmesh {
 
 /// How a bead was meshed.
 struct BeadMeshing {
-  std::string method;  ///< "blocks", "ridge" or "fallback"
+  std::string method;  ///< "blocks", "ridge", "face" (as asked for) or "fallback"
   int elements = 0;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = {};
+  int elements_across = 0;  ///< of blocks; else 0
+  double size = 0;          ///< target element length, mm
+  double min_edge = 0;      ///< minimum element length, mm
 };
 
 struct PanelMesh {

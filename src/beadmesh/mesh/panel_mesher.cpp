@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "beadmesh/mesh/bead_mesher.h"
 #include "beadmesh/mesh/chain_counts.h"
 #include "beadmesh/mesh/chain_nodes.h"
+#include "beadmesh/mesh/controlled_bead.h"
 #include "beadmesh/mesh/face_mesher.h"
 #include "beadmesh/panel/chain.h"
 
@@ -30,12 +30,14 @@ struct FaceMesh {
 class PanelMesher {
  public:
   PanelMesher(const Panel& panel, const StudiedPanel& studied, const PanelMesherOptions& options,
-              const Context& context)
+              std::vector<BeadMeshControl> controls, const Context& context)
       : panel_(panel),
         studied_(studied),
         options_(options),
+        controls_(std::move(controls)),
         context_(context),
         inner_min_edge_(options.min_edge * min_edge_margin),
+        field_(options.size, options.local_sizes),
         chains_(chains_of(panel)),
         nodes_(panel, chains_),
         face_meshes_(panel.faces.size()),
@@ -44,6 +46,11 @@ class PanelMesher {
     for (size_t b = 0; b < studied.table.beads.size(); ++b)
       bead_of_face_[studied.table.beads[b].faces[0]] = Index(b);
     out_.meshing.resize(studied.table.beads.size());
+    for (size_t b = 0; b < controls_.size(); ++b) {
+      out_.meshing[b].size =
+          controls_[b].size.value_or(field_.of_face(panel.faces[face_of(Index(b))].facets));
+      out_.meshing[b].min_edge = controls_[b].min_edge.value_or(options.min_edge);
+    }
   }
 
   Result<PanelMesh> run() {
@@ -63,6 +70,7 @@ class PanelMesher {
   /// parallel.
   void mesh_beads() {
     const auto groups = bead_groups();
+    for (const auto& group : groups) share_elements_around(group);
     std::vector<std::optional<BeadMesh>> meshes(out_.meshing.size());
     std::vector<size_t> single, shared;
     for (size_t g = 0; g < groups.size(); ++g) (groups[g].size() == 1 ? single : shared).push_back(g);
@@ -100,12 +108,23 @@ class PanelMesher {
     return groups;
   }
 
+  /// Rings that share loops share the number of elements around: what is asked of one is asked of all.
+  void share_elements_around(const std::vector<Index>& group) {
+    for (const Index asked : group)
+      if (const auto along = controls_[asked].elements_along; along && group.size() > 1) {
+        for (const Index b : group) controls_[b].elements_along = along;
+        return;
+      }
+  }
+
   /// Rings that share loops share the number of elements around: near the size on the mean, and on the
   /// shortest loop long enough that an island inside it can be meshed in rows.
   int elements_around(const std::vector<Index>& beads) const {
-    double shortest = 1e300, sum = 0;
+    double shortest = 1e300, sum = 0, size = 1e300, min_edge = options_.min_edge;
     int loops = 0;
-    for (Index b : beads)
+    for (Index b : beads) {
+      size = std::min(size, out_.meshing[b].size);
+      min_edge = std::max(min_edge, out_.meshing[b].min_edge);
       for (const auto& loop : chains_.loops[face_of(b)]) {
         double length = 0;
         for (const ChainUse& use : loop) length += chains_.chains[use.chain].length();
@@ -113,8 +132,9 @@ class PanelMesher {
         sum += length;
         ++loops;
       }
-    const int wanted = int(std::lround(sum / loops / options_.size));
-    const int most = int(shortest / (1.45 * options_.min_edge));
+    }
+    const int wanted = int(std::lround(sum / loops / size));
+    const int most = int(shortest / (1.45 * min_edge));
     return std::max(8, std::min(wanted, most) / 2 * 2);
   }
 
@@ -133,18 +153,19 @@ class PanelMesher {
     if (context_.is_cancelled()) return std::nullopt;
     const Index face = face_of(b);
     BeadMeshing& meshing = out_.meshing[b];
+    if (controls_[b].method == BeadMethod::face) return std::nullopt;
     if (!boundary_is_closed_chains(face)) {
       meshing.notes.push_back("its boundary is shared by several faces or has corners");
       return std::nullopt;
     }
     const FaceStudy& study = *studied_.studies[face];
-    BeadMesherOptions options{options_.size, inner_min_edge_, around, {}};
+    BeadMesherOptions options{meshing.size, meshing.min_edge * min_edge_margin, around, {}, controls_[b]};
     for (Index l = 0; l < Index(study.region.loops.size()); ++l) {
       options.prescribed.emplace_back();
       for (const LoopNode& node : nodes_.nodes_of_loop(face, l, study.region))
         options.prescribed.back().push_back(node.position);
     }
-    auto mesh = mesh_bead(study, *studied_.medials[face], studied_.table.beads[b].kind, options);
+    auto mesh = mesh_bead_as_asked(study, *studied_.medials[face], studied_.table.beads[b].kind, options);
     if (mesh) return std::move(*mesh);
     meshing.notes.push_back(mesh.error().message);
     return std::nullopt;
@@ -174,6 +195,12 @@ class PanelMesher {
     out_.meshing[b].method = mesh.method;
     out_.meshing[b].elements = int(mesh.mesh.elements.size());
     out_.meshing[b].notes = std::move(mesh.notes);
+    out_.meshing[b].elements_across = mesh.elements_across;
+    for (const std::string& refusal : mesh.refusals) {
+      out_.meshing[b].notes.push_back(refusal);
+      out_.table.diagnostics.push_back({"mesh.bead.control", Severity::warning, panel_.faces[face].number,
+                                        "bead " + std::to_string(studied_.table.beads[b].id), refusal, ""});
+    }
     out.mesh = std::move(mesh.mesh);
     face_meshes_[face] = std::move(out);
   }
@@ -194,9 +221,17 @@ class PanelMesher {
       counts.push_back(nodes_.is_set(Index(c)) ? nodes_.count(Index(c)) : 0);
     const std::vector<int> before = counts;
     for (const auto& mesh : face_meshes_) free_faces.push_back(!mesh.has_value());
-    assign_chain_counts(chains_, free_faces, counts, {options_.size, inner_min_edge_});
-    for (size_t c = 0; c < counts.size(); ++c)
-      if (!before[c]) nodes_.place_evenly(Index(c), counts[c]);
+    ChainCountOptions options{options_.size, inner_min_edge_};
+    if (!field_.is_uniform())
+      for (const Chain& chain : chains_.chains) options.sizing.push_back(field_.along(panel_, chain));
+    assign_chain_counts(chains_, free_faces, counts, options);
+    for (size_t c = 0; c < counts.size(); ++c) {
+      if (before[c]) continue;
+      if (field_.is_uniform())
+        nodes_.place_evenly(Index(c), counts[c]);
+      else
+        nodes_.place_at(Index(c), options.sizing[c].stations(counts[c]));
+    }
   }
 
   void mesh_faces() {
@@ -218,13 +253,22 @@ class PanelMesher {
 
   void note_fallback(Index b, int elements) {
     BeadMeshing& meshing = out_.meshing[b];
-    meshing.method = "fallback";
     meshing.elements = elements;
+    if (controls_[b].method == BeadMethod::face) {
+      meshing.method = "face";
+      return;
+    }
+    meshing.method = "fallback";
     std::string why;
     for (const std::string& note : meshing.notes) why += (why.empty() ? "" : "; ") + note;
     out_.table.diagnostics.push_back(
         {"mesh.bead.fallback", Severity::warning, panel_.faces[face_of(b)].number,
          "bead " + std::to_string(studied_.table.beads[b].id), "meshed as an ordinary face: " + why, ""});
+  }
+
+  double size_of_face(Index face) const {
+    const Index b = bead_of_face_[face];
+    return b == no_index ? field_.of_face(panel_.faces[face].facets) : out_.meshing[b].size;
   }
 
   /// Empty where it went well, else the reason.
@@ -243,7 +287,7 @@ class PanelMesher {
         out.boundary.emplace_back(local, node.id);
       }
     }
-    auto mesh = mesh_face(loops, *study.map, {options_.size, inner_min_edge_});
+    auto mesh = mesh_face(loops, *study.map, {size_of_face(face), inner_min_edge_});
     if (!mesh) return mesh.error().message;
     out.mesh = std::move(*mesh);
     face_meshes_[face] = std::move(out);
@@ -341,8 +385,10 @@ class PanelMesher {
   const Panel& panel_;
   const StudiedPanel& studied_;
   PanelMesherOptions options_;
+  std::vector<BeadMeshControl> controls_;  ///< per bead
   const Context& context_;
   double inner_min_edge_;
+  SizeField field_;
   ChainSet chains_;
   ChainNodes nodes_;
   std::vector<std::optional<FaceMesh>> face_meshes_;
@@ -354,7 +400,11 @@ class PanelMesher {
 
 Result<PanelMesh> mesh_studied_panel(const Panel& panel, const StudiedPanel& studied,
                                      const PanelMesherOptions& options, const Context& context) {
-  return PanelMesher(panel, studied, options, context).run();
+  auto controls = controls_of_beads(options.controls, panel, studied.table, options.size, options.min_edge);
+  if (!controls) return tl::unexpected(controls.error());
+  if (auto good = check_local_sizes(options.local_sizes, options.min_edge); !good)
+    return tl::unexpected(good.error());
+  return PanelMesher(panel, studied, options, std::move(*controls), context).run();
 }
 
 }  // namespace beadmesh

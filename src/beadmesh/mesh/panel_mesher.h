@@ -9,7 +9,9 @@
 #include "beadmesh/bead/face_study.h"
 #include "beadmesh/core/context.h"
 #include "beadmesh/core/result.h"
+#include "beadmesh/mesh/bead_control.h"
 #include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/mesh/size_field.h"
 #include "beadmesh/panel/panel.h"
 
 namespace beadmesh {
@@ -18,6 +20,8 @@ struct PanelMesherOptions {
   double size = 5;        ///< default 5 mm: target element length
   double min_edge = 2.5;  ///< default 2.5 mm: minimum element length, hard
   double thickness = 1;   ///< default 1 mm: written into the properties
+  BeadControls controls = {};
+  std::vector<LocalSize> local_sizes = {};
 };
 
 /// What the stages before know of each face of the panel; null where it could not be laid flat.
@@ -28,7 +32,7 @@ struct StudiedPanel {
 };
 
 /// A bead that defeats its methods is meshed as an ordinary face and named, a face that defeats every mesher
-/// is left out and named. Fails only where no face could be meshed, or when cancelled.
+/// is left out and named. Fails only where no face could be meshed, when cancelled, or with control.*.
 Result<PanelMesh> mesh_studied_panel(const Panel& panel, const StudiedPanel& studied,
                                      const PanelMesherOptions& options, const Context& context = {});
 

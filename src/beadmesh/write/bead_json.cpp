@@ -45,7 +45,12 @@ Value row_of(const Panel& panel, const Bead& bead) {
 Value meshing_of(const BeadMeshing& meshing) {
   Value notes = Value::array();
   for (const std::string& note : meshing.notes) notes.push_back(note);
-  return {{"method", meshing.method}, {"elements", meshing.elements}, {"notes", std::move(notes)}};
+  Value object{{"method", meshing.method}, {"elements", meshing.elements}};
+  if (meshing.elements_across) object["elements_across"] = meshing.elements_across;
+  object["size"] = number(meshing.size);
+  object["min_edge"] = number(meshing.min_edge);
+  object["notes"] = std::move(notes);
+  return object;
 }
 
 std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh* mesh) {
