@@ -11,9 +11,9 @@ namespace {
 using namespace shapes;
 
 /// A stadium from (0, 0) to (60, 0), half width 8, cut at x = 50 towards its tip at (68, 0).
-class EndCap : public ::testing::TestWithParam<int> {
+class EndCapBase : public ::testing::Test {
  protected:
-  EndCap() : region_(stadium(60, 8, {1, 0.01})), builder_(region_) {
+  EndCapBase() : region_(stadium(60, 8, {1, 0.01})), builder_(region_) {
     const double arc = builder_.loop_length(0) / 2 - 60;  // a cap
     chord_.right = builder_.add_boundary_vertex({0, 50});
     chord_.middle = builder_.add_vertex({50, 0});
@@ -27,11 +27,13 @@ class EndCap : public ::testing::TestWithParam<int> {
   Index tip_;
 };
 
+class EndCap : public EndCapBase, public ::testing::WithParamInterface<int> {};
+
 TEST_P(EndCap, IsAClampWithTwoIrregularNodesAtMost) {
   const int m = GetParam();
   add_chord_edges(builder_, chord_, m, true);
   EXPECT_EQ(chord_.left_path.size(), m >= 4 ? 3 : 2);
-  add_end_cap(builder_, chord_, tip_, {{55, 0}, {62, 0}}, m, 5, 2.5);
+  add_end_cap(builder_, chord_, tip_, {{55, 0}, {62, 0}}, {m, 8, 5, 2.5});
   auto layout = builder_.take();
   ASSERT_TRUE(layout);
   EXPECT_EQ(layout->blocks.size(), m == 2 ? 2 : 6);
@@ -59,7 +61,7 @@ TEST_P(EndCap, IsAClampWithTwoIrregularNodesAtMost) {
 
 TEST_P(EndCap, HasTheCrestAsALineToTheTip) {
   add_chord_edges(builder_, chord_, GetParam(), true);
-  add_end_cap(builder_, chord_, tip_, {{55, 0}, {62, 0}}, GetParam(), 5, 2.5);
+  add_end_cap(builder_, chord_, tip_, {{55, 0}, {62, 0}}, {GetParam(), 8, 5, 2.5});
   const auto layout = builder_.take();
   ASSERT_TRUE(layout);
   double length = 0;
@@ -69,6 +71,31 @@ TEST_P(EndCap, HasTheCrestAsALineToTheTip) {
     for (size_t i = 1; i < edge.points.size(); ++i) length += distance(edge.points[i - 1], edge.points[i]);
   }
   EXPECT_NEAR(length, 18, 0.02);
+}
+
+TEST_F(EndCapBase, WithoutACoreBendsSixtyDegreesFromTheTip) {
+  add_chord_edges(builder_, chord_, 2, true);
+  add_end_cap(builder_, chord_, tip_, {{55, 0}, {62, 0}}, {2, 8, 5, 2.5});
+  const auto layout = builder_.take();
+  ASSERT_TRUE(layout);
+  int bends = 0;
+  for (const VirtualEdge& edge : layout->edges) {
+    if (edge.kind != VirtualEdgeKind::boundary || edge.count != 1) continue;
+    EXPECT_NEAR(distance(edge.points.front(), edge.points.back()), 8, 0.2);
+    ++bends;
+  }
+  EXPECT_EQ(bends, 2);
+}
+
+TEST_F(EndCapBase, WithoutACoreKeepsTheMinimumAtTheTip) {
+  add_chord_edges(builder_, chord_, 2, true);
+  add_end_cap(builder_, chord_, tip_, {{55, 0}, {62, 0}}, {2, 8, 12, 9});
+  const auto layout = builder_.take();
+  ASSERT_TRUE(layout);
+  for (const VirtualEdge& edge : layout->edges)
+    if (edge.kind == VirtualEdgeKind::boundary && edge.count == 1) {
+      EXPECT_GE(distance(edge.points.front(), edge.points.back()), 9);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Across, EndCap, ::testing::Values(2, 4, 6, 8));

@@ -63,7 +63,8 @@ TEST(ChainCounts, FollowTheSizingAndKeepTheMinimumWhereItIsFinest) {
     return counts;
   };
   for (const int n : sized(5)) EXPECT_EQ(n, 6);
-  for (const int n : sized(2.6)) EXPECT_EQ(n, 9) << "ten would have 2.52 mm at the finest, under 1.04 times 2.5";
+  for (const int n : sized(2.6))
+    EXPECT_EQ(n, 9) << "ten would have 2.52 mm at the finest, under 1.04 times 2.5";
   for (const int n : sized(1.25)) EXPECT_EQ(n, 8) << "18 elements, the shortest at least 1.04 times 2.5 mm";
 }
 

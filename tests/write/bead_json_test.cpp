@@ -38,7 +38,8 @@ TEST(BeadJson, FollowsTheSchema) {
 
 TEST(BeadJson, SaysHowTheBeadsWereMeshed) {
   const json object = json::parse(bead_json(plate_panel(), plate()));
-  EXPECT_EQ(object["beads"][0]["mesh"], json::parse(R"({"method": "blocks", "elements": 48, "elements_across": 4,
+  EXPECT_EQ(object["beads"][0]["mesh"],
+            json::parse(R"({"method": "blocks", "elements": 48, "elements_across": 4,
       "size": 5.0, "min_edge": 2.5, "notes": []})"));
   EXPECT_EQ(object["mesh"]["nodes"], 231);
   EXPECT_EQ(object["mesh"]["quads"], 200);

@@ -162,10 +162,14 @@ class AnnularBlocks {
 
   void add_edges(size_t i, size_t j) {
     Chord &a = chords_[i], &b = chords_[j];
-    add_chord_edges(builder_, a, options_.elements_across, false);
+    if (is_narrow())
+      builder_.add_edge(a.left, a.right, VirtualEdgeKind::split, {}, 1);
+    else
+      add_chord_edges(builder_, a, options_.elements_across, false);
     const int last = j == 0 ? around_ : indices_[j];
     const int count = last - indices_[i];
-    builder_.add_edge(a.middle, b.middle, VirtualEdgeKind::ridge, axis_between(a.along, b.along), count);
+    if (!is_narrow())
+      builder_.add_edge(a.middle, b.middle, VirtualEdgeKind::ridge, axis_between(a.along, b.along), count);
     const Index left = builder_.add_boundary_edge(a.left, b.left, true, count);
     const Index right = builder_.add_boundary_edge(a.right, b.right, false, count);
     if (left == no_index || right == no_index) return;
@@ -175,7 +179,14 @@ class AnnularBlocks {
     }
   }
 
+  /// One element from loop to loop: no crest.
+  bool is_narrow() const { return options_.elements_across == 1; }
+
   void add_blocks(const Chord& a, const Chord& b) {
+    if (is_narrow()) {
+      builder_.add_block({{{a.left, a.right}, {a.right, b.right}, {b.right, b.left}, {b.left, a.left}}});
+      return;
+    }
     builder_.add_block({{{a.left, a.middle}, {a.middle, b.middle}, {b.middle, b.left}, {b.left, a.left}}});
     builder_.add_block(
         {{{a.middle, a.right}, {a.right, b.right}, {b.right, b.middle}, {b.middle, a.middle}}});

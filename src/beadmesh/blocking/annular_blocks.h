@@ -10,7 +10,7 @@
 namespace beadmesh {
 
 struct AnnularBlockOptions {
-  int elements_across = 4;  ///< default 4: even
+  int elements_across = 4;  ///< default 4: even; 1: from loop to loop, without a crest
   int elements_around = 0;  ///< even, at least 8; ignored where a loop is prescribed
   /// Per loop of the region: arc lengths of the nodes that a neighbour has set, ascending; empty: free.
   std::vector<std::vector<double>> prescribed;

@@ -217,9 +217,9 @@ class BeadBlocks {
     const double mel = options_.min_edge;
     const double step = mel / 10;
     const double beyond = distance(node.point, node.medial_point);  // the ridge runs on to the tip
-    // Without a core the clamp needs less room.
-    const int rows_needed = options_.elements_across > 2 ? 4 : 2;
-    double d = std::max(0.0, rows_needed * mel - node.radius);
+    // Without a core the clamp is two rows: the bends take half the radius behind S, then comes one more.
+    double d = options_.elements_across > 2 ? std::max(0.0, 4 * mel - node.radius)
+                                            : 0.55 * node.radius + std::max(1.15 * mel, 0.75 * options_.size);
     for (; d + beyond < line.length(); d += step) {
       const AxisStation station = line.station(at_end ? line.length() - beyond - d : beyond + d);
       if (2 * station.radius > 2 * mel && station.subtended_angle > opposite_feet) break;
@@ -270,14 +270,17 @@ class BeadBlocks {
     const ArmLine& line = arms_[a];
     if (end_tip)
       add_end_cap(builder_, end_chord_[a], node_vertex_[ridge_.arms[a].end],
-                  line.between(end_chord_[a].along, line.length()), options_.elements_across, options_.size,
-                  options_.min_edge, options_.extra_rows, options_.clamp_rows);
+                  line.between(end_chord_[a].along, line.length()), cap_options(ridge_.arms[a].end));
     if (!start_tip) return;
     std::vector<Vec2> crest = line.between(0, start_chord_[a].along);
     std::reverse(crest.begin(), crest.end());
     add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest,
-                options_.elements_across, options_.size, options_.min_edge, options_.extra_rows,
-                options_.clamp_rows);
+                cap_options(ridge_.arms[a].start));
+  }
+
+  CapOptions cap_options(Index node) const {
+    return {options_.elements_across, ridge_.nodes[node].radius, options_.size,
+            options_.min_edge,        options_.extra_rows,       options_.clamp_rows};
   }
 
   /// True where the touching line keeps the order of its neighbours on both boundaries.

@@ -43,8 +43,12 @@ std::vector<Vec2> inner_part(const std::vector<Vec2>& line, double from_share, d
 class CapBuilder {
  public:
   CapBuilder(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
-             int m, double size, double min_edge, int extra_rows, int rows)
-      : builder_(builder), chord_(chord), tip_(tip), half_core_((m - 2) / 2) {
+             const CapOptions& options)
+      : builder_(builder),
+        chord_(chord),
+        tip_(tip),
+        options_(options),
+        half_core_((options.elements_across - 2) / 2) {
     crest_.push_back(builder.point_of(chord.middle));
     crest_.insert(crest_.end(), crest.begin(), crest.end());
     crest_.push_back(builder.point_of(tip));
@@ -54,21 +58,26 @@ class CapBuilder {
     tip_at_ = vertices[tip].boundary.position;
     left_arc_ = boundary_distance(builder, left_at_, tip_at_, loop_);
     right_arc_ = boundary_distance(builder, tip_at_, vertices[chord.right].boundary.position, loop_);
-    rows_ = rows ? rows : std::max(1, best_rows(cap_scale * size, min_edge) + extra_rows);
+    if (half_core_ == 0) {
+      left_tip_arc_ = tip_arc(+1, left_arc_);
+      right_tip_arc_ = tip_arc(-1, right_arc_);
+    }
+    rows_ = options.rows ? options.rows : std::max(1, best_rows() + options.extra_rows);
   }
 
   /// Rows along the cap: elements near the size both round the arc and along the crest; none under the
   /// minimum where that is possible.
-  int best_rows(double size, double min_edge) const {
+  int best_rows() const {
     double crest = 0;
     for (size_t i = 1; i < crest_.size(); ++i) crest += distance(crest_[i - 1], crest_[i]);
+    const double arcs = left_arc_ + right_arc_ - left_tip_arc_ - right_tip_arc_,
+                 size = cap_scale * options_.size;
     const int end_rows = half_core_ == 0 ? 0 : 1;  // the tip's own band
     int best = 1;
     double best_misfit = 1e300;
     for (int p = 1; p <= 40; ++p) {
-      const double round = (left_arc_ + right_arc_) / (2 * (p + std::max(1, half_core_))),
-                   along = crest / (p + end_rows);
-      if (p > 1 && std::min(round, along) < 1.12 * min_edge) break;
+      const double round = arcs / (2 * (p + half_core_)), along = crest / (p + end_rows);
+      if (p > 1 && std::min(round, along) < 1.12 * options_.min_edge) break;
       const double misfit = std::abs(std::log(round / size)) + std::abs(std::log(along / size));
       if (misfit < best_misfit) {
         best_misfit = misfit;
@@ -87,11 +96,21 @@ class CapBuilder {
     return builder_.add_boundary_vertex({loop_, at});
   }
 
+  /// Arc from the tip to the bend without a core, where the chord is as long as the radius and no shorter
+  /// than the minimum; at most two thirds of the way to the cut.
+  double tip_arc(int side, double arc) const {
+    const double wanted = std::max(options_.radius, 1.06 * options_.min_edge);
+    const Vec2 tip = builder_.point_of(tip_);
+    const double most = arc * 2 / 3;
+    for (double s = 0; s < most; s += most / 200)
+      if (distance(builder_.point_at({loop_, tip_at_ + side * s}), tip) >= wanted) return s;
+    return most;
+  }
+
   /// Two bands that bend round at a corner on the arc; the tip is regular.
   void add_without_core() {
-    const double share = double(rows_) / (rows_ + 1);
-    const Index left_bend = boundary_vertex(share * left_arc_);
-    const Index right_bend = boundary_vertex(left_arc_ + (1 - share) * right_arc_);
+    const Index left_bend = boundary_vertex(left_arc_ - left_tip_arc_);
+    const Index right_bend = boundary_vertex(left_arc_ + right_tip_arc_);
     builder_.add_edge(chord_.middle, tip_, VirtualEdgeKind::ridge, inner_part(crest_, 0, 1), rows_);
     builder_.add_boundary_edge(chord_.left, left_bend, true);
     builder_.add_boundary_edge(left_bend, tip_, true, 1);
@@ -147,7 +166,9 @@ class CapBuilder {
   BlockLayoutBuilder& builder_;
   const Chord& chord_;
   Index tip_;
+  CapOptions options_;
   int half_core_;
+  double left_tip_arc_ = 0, right_tip_arc_ = 0;  ///< without a core: from the tip to the bends
   int rows_ = 1;
   std::vector<Vec2> crest_;
   Index loop_ = 0;
@@ -178,8 +199,8 @@ void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_acr
 }
 
 void add_end_cap(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
-                 int elements_across, double size, double min_edge, int extra_rows, int rows) {
-  CapBuilder(builder, chord, tip, crest, elements_across, size, min_edge, extra_rows, rows).run();
+                 const CapOptions& options) {
+  CapBuilder(builder, chord, tip, crest, options).run();
 }
 
 }  // namespace beadmesh

@@ -28,11 +28,20 @@ struct Chord {
 /// elements_across >= 4, as the clamp needs it.
 void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_across, bool cap);
 
+struct CapOptions {
+  int elements_across = 4;
+  double radius = 0;      ///< of the inscribed circle at the end
+  double size = 5;        ///< target element length
+  double min_edge = 2.5;  ///< minimum element length
+  int extra_rows = 0;     ///< rows along the clamp beyond what suits the size
+  int rows = 0;           ///< rows along the clamp; 0: what suits the size
+};
+
 /// Adds the clamp of figure 15a (m = elements_across, q = m - 2) beyond a cut whose direction points to the
 /// tip. `tip`: the boundary vertex; `crest`: inner points of the ridge from the cut to the tip. For m = 2 the
-/// core vanishes. `extra_rows`: along the clamp, beyond what suits the size; `rows` (p) above 0: exactly
-/// these.
+/// core vanishes: two bands bend round at 60 degrees from the tip, where round ends have their least sharp
+/// corners.
 void add_end_cap(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
-                 int elements_across, double size, double min_edge, int extra_rows = 0, int rows = 0);
+                 const CapOptions& options);
 
 }  // namespace beadmesh

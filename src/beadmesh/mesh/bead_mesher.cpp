@@ -9,6 +9,7 @@
 #include "beadmesh/blocking/annular_blocks.h"
 #include "beadmesh/blocking/bead_blocks.h"
 #include "beadmesh/blocking/element_counts.h"
+#include "beadmesh/blocking/narrow_blocks.h"
 #include "beadmesh/geometry/polyline.h"
 #include "beadmesh/mesh/bead_section.h"
 #include "beadmesh/mesh/block_mesher.h"
@@ -175,7 +176,10 @@ class BeadMesher {
         return result();
       if (best_) return result();
     }
-    return last_resort();
+    return last_resort([&] {
+      blocks.elements_across = 1;
+      return blocks_of_annular_bead(crest_, study_.region, blocks);
+    });
   }
 
   Result<BeadMesh> armed() {
@@ -201,7 +205,10 @@ class BeadMesher {
       // Fewer elements across only where no clamp would do.
       if (best_ && best_->score >= fair_score) return result();
     }
-    return best_ ? result() : last_resort();
+    if (best_) return result();
+    return last_resort([&] {
+      return blocks_of_narrow_bead(skeleton_, ridge, study_.region, {options_.size, options_.min_edge});
+    });
   }
 
  private:
@@ -210,7 +217,8 @@ class BeadMesher {
   /// Elements across to be tried by blocks, best first; none where another method is asked for.
   std::vector<int> counts_across() const {
     if (method() == BeadMethod::ridge) return {};
-    if (const auto asked = options_.control.elements_across) return {*asked};
+    if (const auto asked = options_.control.elements_across)
+      return *asked > 1 ? std::vector<int>{*asked} : std::vector<int>{};
     std::vector<int> counts;
     for (int m = across(); m >= 2; m -= 2) counts.push_back(m);
     return counts;
@@ -242,20 +250,29 @@ class BeadMesher {
       if (std::find(reasons_.begin(), reasons_.end(), reason) == reasons_.end()) reasons_.push_back(reason);
       return false;
     }
-    if (!best_ || judged->score > best_->score) best_ = std::move(*judged);
+    if (!best_ || judged->score > best_->score) {
+      best_ = std::move(*judged);
+      if (best_->mesh.method == "blocks") best_->mesh.elements_across = across_;
+    }
     return best_->score >= good_score;
   }
 
   /// Reasons are told only where the first method failed altogether.
   Result<BeadMesh> result() {
-    if (best_->mesh.method == "blocks")
-      best_->mesh.elements_across = across_;
-    else
-      best_->mesh.notes = reasons_;
+    if (best_->mesh.method != "blocks") best_->mesh.notes = reasons_;
+    if (best_->mesh.elements_across == 1)
+      best_->mesh.notes.push_back("one element across: two of the minimum length do not fit");
     return std::move(best_->mesh);
   }
 
-  Result<BeadMesh> last_resort() {
+  /// One element across where two do not fit, then ridge insertion.
+  Result<BeadMesh> last_resort(const std::function<Result<BlockLayout>()>& narrow) {
+    if (method() != BeadMethod::ridge && options_.control.elements_across.value_or(1) == 1 &&
+        width_.least < 2 * across_margin * options_.min_edge) {
+      across_ = 1;
+      attempt("one element across", [&] { return mesh_layout(narrow(), *study_.map, options_); });
+      if (best_) return result();
+    }
     if (!is_prescribed(options_) && method() != BeadMethod::blocks)
       attempt("ridge", [&] { return by_ridge(); });
     if (best_) return result();
