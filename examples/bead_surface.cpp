@@ -26,7 +26,7 @@ std::vector<double> grid_steps(const std::vector<Vec2>& loop, double Vec2::*axis
 }
 
 Handle(Geom_BSplineSurface) surface_on_grid(const Base& base, const Feature& feature, double step) {
-  const BoundaryDistance inside(feature.footprint.loops);
+  const BoundaryDistance boundary(feature.footprint.loops);
   const std::vector<Vec2> outline = sampled(feature.footprint.loops.front());
   const std::vector<double> us = grid_steps(outline, &Vec2::x, step),
                             vs = grid_steps(outline, &Vec2::y, step);
@@ -35,7 +35,7 @@ Handle(Geom_BSplineSurface) surface_on_grid(const Base& base, const Feature& fea
   for (const double u : us)
     for (const double v : vs) {
       const Vec2 local{u, v};
-      points.push_back(base.point(to_panel(feature, local)) + Vec3{0, 0, feature.rise(local, inside(local))});
+      points.push_back(base.point(to_panel(feature, local)) + Vec3{0, 0, feature.rise(local, boundary)});
     }
   return spline_through(us, vs, points);
 }

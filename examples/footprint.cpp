@@ -41,11 +41,6 @@ Vec2 middle(const PlanLoop& loop) {
   return (low + high) / 2;
 }
 
-void centre_on_origin(Footprint& footprint) {
-  const Vec2 shift = -middle(footprint.loops.front());
-  for (PlanLoop& loop : footprint.loops) loop = placed(loop, shift, 0);
-}
-
 double signed_area(const PlanLoop& loop) {
   const std::vector<Vec2> points = sampled(loop);
   double twice = 0;
@@ -244,6 +239,11 @@ PlanLoop circle(double radius, int edges) {
   return loop;
 }
 
+void centre_on_origin(Footprint& footprint) {
+  const Vec2 shift = -middle(footprint.loops.front());
+  for (PlanLoop& loop : footprint.loops) loop = placed(loop, shift, 0);
+}
+
 Footprint strip(const std::vector<PathStep>& path, double width) {
   Footprint result;
   const double half = width / 2;
@@ -311,6 +311,24 @@ Footprint rounded_ring(double length, double height, double corner_radius, doubl
   return ring(outer, inner, width, middle_length);
 }
 
+Footprint eccentric_ring(double outer_radius, double width, double offset) {
+  const double inner_radius = outer_radius - width;
+  Footprint result = ring(circle(outer_radius), placed(circle(inner_radius), {offset, 0}, 0), width,
+                          pi * (outer_radius + inner_radius));
+  result.between_loops = true;
+  return result;
+}
+
+Footprint oval_with_round_window(double length, double height, double width) {
+  const double inner_radius = height / 2 - width;
+  const PlanLoop outer = rounded_rectangle(length, height, height / 2);
+  double perimeter = 2 * pi * inner_radius;
+  for (const PlanEdge& edge : outer) perimeter += edge.length();
+  Footprint result = ring(outer, circle(inner_radius), width + (length - height) / 4, perimeter / 2);
+  result.between_loops = true;
+  return result;
+}
+
 Footprint blob(const PlanLoop& loop, double half_width) {
   Footprint result;
   result.loops = {loop};
@@ -325,9 +343,14 @@ BoundaryDistance::BoundaryDistance(std::vector<PlanLoop> loops) : loops_(std::mo
 
 double BoundaryDistance::operator()(Vec2 p) const {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const PlanLoop& loop : loops_)
-    for (const PlanEdge& edge : loop) nearest = std::min(nearest, edge_distance(edge, p));
+  for (int i = 0; i < int(loops_.size()); ++i) nearest = std::min(nearest, to_loop(i, p));
   return contains(p) ? nearest : -nearest;
+}
+
+double BoundaryDistance::to_loop(int index, Vec2 p) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const PlanEdge& edge : loops_[index]) nearest = std::min(nearest, edge_distance(edge, p));
+  return nearest;
 }
 
 bool BoundaryDistance::contains(Vec2 p) const {

@@ -46,6 +46,7 @@ struct Footprint {
   std::vector<PlanLoop> loops;   ///< the outer one first and counter-clockwise, windows clockwise
   double half_width = 0;         ///< mm, from the boundary to the crest (the first end of a taper)
   double end_half_width = 0;     ///< mm, of the second end; equal to half_width but for a taper
+  bool between_loops = false;    ///< the crest lies midway between the two loops, whatever their distance
   Vec2 axis_start, axis_end;     ///< of a taper, between its cap centres
   double centreline_length = 0;  ///< mm, cap centre to cap centre, all branches
   double mean_width = 0;         ///< mm, along the centre lines
@@ -57,6 +58,9 @@ struct PathStep {
   double radius = 0;  ///< mm, of an arc
   double turn = 0;    ///< radians, of an arc
 };
+
+/// Shifts the loops so that the middle of the outer one's bounding box is the origin.
+void centre_on_origin(Footprint& footprint);
 
 /// Band of constant width with round caps along a tangent-continuous path (straight, arc, S, L, J, G);
 /// bends are concentric, so its medial axis is the path. Centred on the middle of its bounding box.
@@ -77,6 +81,11 @@ Footprint circular_ring(double outer_radius, double width);
 /// oval).
 Footprint rounded_ring(double length, double height, double corner_radius, double width);
 
+/// Between circles whose centres lie `offset` apart along x; `width` is the mean one.
+Footprint eccentric_ring(double outer_radius, double width, double offset);
+/// A circular window in an oval of the given outer size; the band is `width` wide above and below.
+Footprint oval_with_round_window(double length, double height, double width);
+
 /// A single loop that is no bead: hole, emboss, pad or plateau with a shoulder `half_width` wide.
 Footprint blob(const PlanLoop& loop, double half_width);
 
@@ -85,6 +94,8 @@ class BoundaryDistance {
  public:
   explicit BoundaryDistance(std::vector<PlanLoop> loops);
   double operator()(Vec2 p) const;
+  /// Distance to one of the loops, without sign.
+  double to_loop(int index, Vec2 p) const;
 
  private:
   bool contains(Vec2 p) const;

@@ -22,10 +22,12 @@ std::vector<PlanLoop> Feature::loops() const {
   return result;
 }
 
-double Feature::rise(Vec2 local, double inside) const {
+double Feature::rise(Vec2 local, const BoundaryDistance& boundary) const {
+  const double inside = boundary(local);
   if (inside <= 0) return 0;
   double half = footprint.half_width;
-  if (footprint.end_half_width != half) {
+  if (footprint.between_loops) half = (boundary.to_loop(0, local) + boundary.to_loop(1, local)) / 2;
+  if (footprint.end_half_width != footprint.half_width) {
     const Vec2 axis = footprint.axis_end - footprint.axis_start;
     const double along = std::clamp(dot(local - footprint.axis_start, axis) / squared_norm(axis), 0.0, 1.0);
     half += along * (footprint.end_half_width - half);

@@ -38,12 +38,13 @@ struct Feature {
   Profile profile = Profile::bead;
   double height = 0;  ///< mm, negative downwards
   Vec2 origin;
-  double angle = 0;  ///< radians
+  double angle = 0;       ///< radians
+  std::string name = {};  ///< tells features of one shape apart ("wavy" is an S); empty: the shape
 
   /// The loops of the footprint on the panel, in plan.
   std::vector<PlanLoop> loops() const;
-  /// Rise over the base at a point of the feature's own frame; `inside` is its distance to the boundary.
-  double rise(Vec2 local, double inside) const;
+  /// Rise over the base at a point of the feature's own frame; `boundary` is that of the footprint.
+  double rise(Vec2 local, const BoundaryDistance& boundary) const;
 };
 
 /// A flange turned down with a fillet along the straight part of the edge x = length / 2.

@@ -27,6 +27,14 @@ Footprint s_bead(double radius, double turn_degrees, double width) {
   return strip({{.radius = radius, .turn = turn}, {.radius = radius, .turn = -turn}}, width);
 }
 
+Footprint wavy_bead(double radius, double turn_degrees, int waves, double width) {
+  const double turn = radians(turn_degrees);
+  std::vector<PathStep> path{{.radius = radius, .turn = turn / 2}};
+  for (int i = 0; i < waves; ++i) path.push_back({.radius = radius, .turn = i % 2 == 0 ? -turn : turn});
+  path.push_back({.radius = radius, .turn = waves % 2 == 0 ? -turn / 2 : turn / 2});
+  return strip(path, width);
+}
+
 Footprint l_bead(double leg, double other_leg, double radius, double turn_degrees, double width) {
   return strip({{.length = leg}, {.radius = radius, .turn = radians(turn_degrees)}, {.length = other_leg}},
                width);
@@ -42,6 +50,11 @@ Footprint g_bead(double radius, double leg, double width) {
 Footprint t_bead(double bar, double stem, double width, double fillet) {
   return network(Nodes{{0, 0}, {-bar / 2, 0}, {bar / 2, 0}, {0, -stem}}, Arms{{0, 1}, {0, 2}, {0, 3}}, width,
                  fillet);
+}
+
+Footprint f_bead(double spine, double tooth, double width, double fillet) {
+  return network(Nodes{{0, 0}, {0, spine / 2}, {0, spine}, {tooth, spine}, {tooth, spine / 2}},
+                 Arms{{0, 1}, {1, 2}, {2, 3}, {1, 4}}, width, fillet);
 }
 
 Footprint y_bead(double arm, double width, double fillet) {
@@ -75,6 +88,47 @@ Footprint comb_bead(int teeth, double step, double tooth, double width, double f
   nodes.push_back({(teeth - 0.5) * step, 0});
   arms.emplace_back(spine, int(nodes.size()) - 1);
   return network(nodes, arms, width, fillet);
+}
+
+Footprint curved_comb_bead(int teeth, double radius, double step_degrees, double tooth, double width,
+                           double fillet) {
+  const double half = width / 2, step = radians(step_degrees), outer = radius + half, tip = radius + tooth;
+  // The fillets touch the spine's outer side and the tooth's flank.
+  const double reach = outer + fillet, lean = std::asin((half + fillet) / reach);
+  const double first = pi / 2 - (teeth + 1) * step / 2, last = first + (teeth + 1) * step;
+  const auto at = [](double r, double angle) { return Vec2{std::cos(angle), std::sin(angle)} * r; };
+  PlanLoop loop;
+  double done = first;
+  for (int i = 1; i <= teeth; ++i) {
+    const double angle = first + i * step;
+    loop.push_back(arc({}, outer, done, angle - lean - done));
+    const PlanEdge in = arc(at(reach, angle - lean), fillet, angle - lean + pi, lean - pi / 2);
+    const PlanEdge cap = arc(at(tip, angle), half, angle - pi / 2, pi);
+    const PlanEdge out = arc(at(reach, angle + lean), fillet, angle - pi / 2, lean - pi / 2);
+    loop.insert(loop.end(), {in, line(in.end, cap.start), cap, line(cap.end, out.start), out});
+    done = angle + lean;
+  }
+  loop.push_back(arc({}, outer, done, last - done));
+  loop.push_back(arc(at(radius, last), half, last, pi));
+  loop.push_back(arc({}, radius - half, last, first - last));
+  loop.push_back(arc(at(radius, first), half, first + pi, pi));
+  Footprint result = blob(loop, half);
+  result.centreline_length = radius * (last - first) + teeth * tooth;
+  centre_on_origin(result);
+  return result;
+}
+
+Footprint tree_bead(double trunk, double limb, double twig, double width, double fillet) {
+  const Vec2 fork{0, trunk}, left = fork + polar(limb, 145), right = fork + polar(limb, 35);
+  return network(Nodes{{0, 0},
+                       fork,
+                       left,
+                       right,
+                       left + polar(twig, 90),
+                       left + polar(twig, 200),
+                       right + polar(twig, 90),
+                       right + polar(twig, -20)},
+                 Arms{{0, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}, {3, 6}, {3, 7}}, width, fillet);
 }
 
 Footprint trident_bead(double bar, double prong, double handle, double width, double fillet) {

@@ -33,8 +33,8 @@ bool FeatureTruth::contains(Vec2 p) const {
 std::vector<FeatureTruth> truth_of(const PanelDesign& design) {
   std::vector<FeatureTruth> result;
   for (const Feature& f : design.features)
-    result.push_back({f.shape, f.kind, int(f.footprint.loops.size()), f.footprint.centreline_length,
-                      f.footprint.mean_width, std::abs(f.height), f.loops()});
+    result.push_back({f.name.empty() ? f.shape : f.name, f.shape, f.kind, int(f.footprint.loops.size()),
+                      f.footprint.centreline_length, f.footprint.mean_width, std::abs(f.height), f.loops()});
   return result;
 }
 
@@ -44,6 +44,7 @@ std::string truth_json(const PanelDesign& design) {
     json loops = json::array();
     for (const PlanLoop& loop : t.footprint) loops.push_back(loop_json(loop));
     features.push_back({{"id", features.size() + 1},
+                        {"name", t.name},
                         {"shape", t.shape},
                         {"kind", t.kind.empty() ? "not-bead" : t.kind},
                         {"paper_rule", t.kind.empty() ? "none" : t.kind},

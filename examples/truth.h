@@ -10,6 +10,7 @@ namespace beadmesh::examples {
 
 /// One entry a feature, in the design's order; `kind` is empty where the paper's rule sees no bead.
 struct FeatureTruth {
+  std::string name;   ///< of the feature, where several have one letter
   std::string shape;  ///< letter of the bead table, or what the feature is instead of a bead
   std::string kind;   ///< "I", "generic", "annular" or empty
   int loops = 1;

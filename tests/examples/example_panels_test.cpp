@@ -3,39 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "examples/clearance.h"
 #include "examples/truth.h"
 
 namespace beadmesh::examples {
 namespace {
 
-/// Least distance between two loops; 0 where they coincide.
-double clearance(const PlanLoop& a, const PlanLoop& b) {
-  const BoundaryDistance to_b({b});
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec2 p : sampled(a)) least = std::min(least, std::abs(to_b(p)));
-  return least;
-}
-
-bool coincide(const PlanLoop& a, const PlanLoop& b) {
-  return a.size() == b.size() && distance(a.front().centre, b.front().centre) < 1e-9 &&
-         std::abs(a.front().radius - b.front().radius) < 1e-9;
-}
-
 TEST(ExamplePanels, FeaturesKeepClearOfEachOtherAndOfTheEdge) {
-  for (const std::string& name : example_names()) {
-    const PanelDesign panel = *example_panel(name);
-    for (std::size_t i = 0; i < panel.features.size(); ++i)
-      for (const PlanLoop& loop : panel.features[i].loops()) {
-        EXPECT_GT(clearance(loop, panel.outline()), 5) << name << " feature " << i;
-        for (std::size_t j = 0; j < i; ++j)
-          for (const PlanLoop& other : panel.features[j].loops()) {
-            if (coincide(loop, other)) continue;
-            EXPECT_GT(clearance(loop, other), 5) << name << " features " << i << ", " << j;
-          }
-      }
-  }
+  for (const std::string& name : example_names()) expect_clear(*example_panel(name), name);
 }
 
 TEST(ExamplePanels, BasicHasEveryKindAndWhatIsNoBead) {

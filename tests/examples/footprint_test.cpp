@@ -82,7 +82,9 @@ TEST(Footprint, AllBeadsAreClosedSmoothAndCounterClockwise) {
       l_bead(50, 40, 20, 90, 14),    g_bead(30, 14, 12),          taper(80, 24, 12),
       t_bead(90, 40, 14, 8),         y_bead(45, 14, 8),           x_bead(90, 75, 12, 8),
       h_bead(80, 50, 12, 8),         comb_bead(5, 34, 46, 12, 8), trident_bead(60, 34, 38, 12, 7),
-      ladder_bead(3, 30, 44, 11, 6), circular_ring(44, 12),       rounded_ring(90, 70, 20, 13)};
+      ladder_bead(3, 30, 44, 11, 6), circular_ring(44, 12),       rounded_ring(90, 70, 20, 13),
+      wavy_bead(30, 90, 2, 12),      f_bead(80, 40, 12, 8),       curved_comb_bead(3, 84, 24, 40, 12, 7),
+      tree_bead(44, 45, 36, 12, 7),  eccentric_ring(44, 12, 3),   oval_with_round_window(90, 80, 13)};
   for (const Footprint& bead : beads) {
     expect_closed_and_smooth(bead);
     EXPECT_GT(signed_area(bead.loops.front()), 0);
@@ -90,6 +92,33 @@ TEST(Footprint, AllBeadsAreClosedSmoothAndCounterClockwise) {
   }
   EXPECT_EQ(beads[12].loops.size(), 3);
   EXPECT_EQ(beads[10].loops.size(), 1);
+}
+
+TEST(Footprint, CurvedCombIsABandAroundItsCentreLines) {
+  const Footprint comb = curved_comb_bead(3, 84, 24, 40, 12, 7);
+  EXPECT_EQ(comb.loops.front().size(), 3 * 6 + 4);
+  EXPECT_NEAR(comb.centreline_length, 84 * radians(4 * 24) + 3 * 40, 1e-9);
+  // Bands, two half caps of the spine, a half cap and an overlap a tooth; the fillets add a little.
+  const double bands = comb.centreline_length * 12 - 3 * 6 * 12, caps = 5 * pi * 36 / 2;
+  EXPECT_NEAR(signed_area(comb.loops.front()), bands + caps, 90);
+}
+
+TEST(Footprint, WavyBeadEndsAsItBegan) {
+  const Footprint wavy = wavy_bead(30, 90, 2, 12);
+  EXPECT_NEAR(wavy.centreline_length, 30 * radians(90) * 3, 1e-9);
+  double turn = 0;  // of one side: the heading at the end is that at the start
+  for (int i = 0; i < 4; ++i) turn += wavy.loops.front()[i].sweep;
+  EXPECT_NEAR(turn, 0, 1e-12);
+}
+
+TEST(Footprint, BandsBetweenLoopsOfTheirOwnHaveNoConstantWidth) {
+  const BoundaryDistance to(eccentric_ring(44, 12, 3).loops);
+  EXPECT_NEAR(to.to_loop(0, {40, 0}) + to.to_loop(1, {40, 0}), 9, 1e-9);
+  EXPECT_NEAR(to.to_loop(0, {-40, 0}) + to.to_loop(1, {-40, 0}), 15, 1e-9);
+  const Footprint oval = oval_with_round_window(90, 80, 13);
+  const BoundaryDistance of_oval(oval.loops);
+  EXPECT_NEAR(of_oval({0, 33.5}), 6.5, 1e-9);
+  EXPECT_NEAR(of_oval({36, 0}), 9, 1e-9);
 }
 
 TEST(Footprint, BoundaryDistanceIsSigned) {

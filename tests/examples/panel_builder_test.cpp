@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "examples/example_panels.h"
+#include "examples/shape_panels.h"
 
 namespace beadmesh::examples {
 namespace {
@@ -69,6 +70,25 @@ TEST(PanelBuilder, EveryExampleIsAValidShellThatIsSmoothAcrossEverySeam) {
     EXPECT_EQ(seams.crowded_edges, 0) << name;
     EXPECT_LT(seams.widest_gap, 0.005) << name;
     EXPECT_LT(seams.sharpest_bend, 0.5) << name;
+  }
+}
+
+TEST(PanelBuilder, PanelsMadeToOrderAreAsGood) {
+  const ShapePanelOptions narrow{
+      .width = 8, .height = -3, .base = BaseKind::saddle, .only = {"wavy", "F", "curved-comb", "eccentric"}};
+  const ShapePanelOptions wide{.width = 40,
+                               .height = 10,
+                               .base = BaseKind::cylinder,
+                               .seed = 5,
+                               .only = {"tapered", "tree", "circle-in-oval"}};
+  for (const PanelDesign& design :
+       {*shapes_panel(narrow), *shapes_panel(wide), random_panel({.seed = 3, .beads = 3})}) {
+    const TopoDS_Shell shell = build_panel(design);
+    EXPECT_TRUE(BRepCheck_Analyzer(shell).IsValid()) << design.name;
+    const SeamStudy seams = study(shell);
+    EXPECT_EQ(seams.crowded_edges, 0) << design.name;
+    EXPECT_LT(seams.widest_gap, 0.005) << design.name;
+    EXPECT_LT(seams.sharpest_bend, 0.5) << design.name;
   }
 }
 
