@@ -114,6 +114,42 @@ TEST(BeadMesher, BeadWithSetNodesIsRefusedUnlessARing) {
   EXPECT_EQ(mesh.error().code, "mesh.bead.prescribed");
 }
 
+TEST(BeadMesher, NarrowBeadIsOneElementWideAndSaysSo) {
+  const StudiedBead bead = studied_bead(examples::straight_bead(60, 4.4), 0.8, flat_base, {}, 0.7);
+  const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::I);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(mesh->method, "blocks");
+  EXPECT_EQ(mesh->elements_across, 1);
+  ASSERT_EQ(mesh->notes.size(), 1);
+  EXPECT_NE(mesh->notes[0].find("one element across"), std::string::npos);
+  EXPECT_TRUE(mesh->crest_lines.empty());
+  expect_sound(*mesh, *bead.study);
+  EXPECT_EQ(quality_of(*mesh, *bead.study).edges_below_min, 0);
+}
+
+TEST(BeadMesher, NarrowRingIsOneElementWide) {
+  const StudiedBead bead = studied_bead(examples::circular_ring(44, 4.4), 0.6, flat_base, {}, 0.7);
+  const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::annular);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(mesh->elements_across, 1);
+  expect_sound(*mesh, *bead.study);
+  EXPECT_EQ(quality_of(*mesh, *bead.study).edges_below_min, 0);
+}
+
+TEST(BeadMesher, ElementsLieNearTheSurface) {
+  const StudiedBead bead = studied_bead(examples::straight_bead(84, 16), 5);
+  const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::I);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->elements_across, 6) << "four follow the section no nearer than half a millimetre";
+  const auto nodes = lifted_nodes(mesh->mesh, *bead.study);
+  for (const auto& line : mesh->crest_lines)
+    for (size_t i = 1; i < line.size(); ++i) {
+      const Vec3 on_surface =
+          bead.study->lift(lerp(mesh->mesh.nodes[line[i - 1]], mesh->mesh.nodes[line[i]], 0.5));
+      EXPECT_LT(distance(on_surface, (nodes[line[i - 1]] + nodes[line[i]]) / 2), 0.5);
+    }
+}
+
 TEST(BeadMesher, BeadTooNarrowForTheMinimumNamesEveryReason) {
   const StudiedBead bead = studied_bead(examples::straight_bead(84, 2.2), 0.6, flat_base, {}, 0.7);
   const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::I);

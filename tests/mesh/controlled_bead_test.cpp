@@ -139,8 +139,7 @@ TEST(ControlledBead, MethodIsTheOneAskedFor) {
 TEST(ControlledBead, BlocksAloneMayFail) {
   const StudiedBead bead = studied_bead(examples::straight_bead(84, 16), 5);
   BeadMesherOptions options;
-  options.min_edge = 9;  // two elements do not fit across
-  options.size = 9;
+  options.min_edge = options.size = 25;  // not even one element fits across
   options.control.method = BeadMethod::blocks;
   const auto mesh = mesh_bead_as_asked(*bead.study, bead.medial, BeadKind::I, options);
   ASSERT_FALSE(mesh);

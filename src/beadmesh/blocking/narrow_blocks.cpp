@@ -56,7 +56,7 @@ class NarrowBlocks {
 
   /// The last side of an end: on the boundary, around the tip, its chord no shorter than the minimum.
   Cut end_cut(const RidgeNode& node, bool at_start) {
-    const double wanted = std::max(node.radius, 1.06 * options_.min_edge);
+    const double wanted = std::max(node.radius, 1.12 * options_.min_edge);
     const auto at = [&](double s) {
       return BoundaryPosition{node.boundary.loop, node.boundary.position + s};
     };

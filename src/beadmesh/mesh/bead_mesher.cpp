@@ -34,6 +34,9 @@ constexpr double acceptable_deviation = 0.08;
 constexpr int most_across = 12;
 /// What a cut across may lose of its width in clamps and hubs.
 constexpr double across_margin = 1.03;
+/// In minimum lengths: narrower beads may be too narrow for the corners of a clamp, though two elements fit
+/// across.
+constexpr double narrow_width = 3;
 
 struct Width {
   double mean = 0, least = 0;
@@ -75,8 +78,9 @@ double score_of(const SmoothingReport& report, double size) {
 }
 
 /// The loops of the boundary as lines to slide along, but for those whose nodes a neighbour has set. Tips
-/// stay.
+/// stay, and so does all of a bead one element wide: nothing inside would hold its sides.
 void free_boundary(BeadMesh& mesh, const PlanarRegion& region, const BeadMesherOptions& options) {
+  if (mesh.crest_lines.empty()) return;
   std::vector<bool> is_tip(mesh.mesh.nodes.size(), false);
   for (const auto& crest : mesh.crest_lines) is_tip[crest.front()] = is_tip[crest.back()] = true;
   for (Index l = 0; l < Index(region.loops.size()); ++l) {
@@ -220,7 +224,8 @@ class BeadMesher {
     if (const auto asked = options_.control.elements_across)
       return *asked > 1 ? std::vector<int>{*asked} : std::vector<int>{};
     std::vector<int> counts;
-    for (int m = across(); m >= 2; m -= 2) counts.push_back(m);
+    for (int m = across(); m >= 2; m -= 2)
+      if (m * options_.min_edge <= width_.least) counts.push_back(m);
     return counts;
   }
 
@@ -268,9 +273,12 @@ class BeadMesher {
   /// One element across where two do not fit, then ridge insertion.
   Result<BeadMesh> last_resort(const std::function<Result<BlockLayout>()>& narrow) {
     if (method() != BeadMethod::ridge && options_.control.elements_across.value_or(1) == 1 &&
-        width_.least < 2 * across_margin * options_.min_edge) {
+        width_.least < narrow_width * options_.min_edge) {
       across_ = 1;
-      attempt("one element across", [&] { return mesh_layout(narrow(), *study_.map, options_); });
+      if (width_.least < options_.min_edge)
+        reasons_.push_back("blocks: narrower than the minimum length");
+      else
+        attempt("blocks one element wide", [&] { return mesh_layout(narrow(), *study_.map, options_); });
       if (best_) return result();
     }
     if (!is_prescribed(options_) && method() != BeadMethod::blocks)
