@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace beadmesh::examples {
 namespace {
@@ -44,6 +45,13 @@ Vec2 middle(const PlanLoop& loop) {
 void centre_on_origin(Footprint& footprint) {
   const Vec2 shift = -middle(footprint.loops.front());
   for (PlanLoop& loop : footprint.loops) loop = placed(loop, shift, 0);
+  for (PlanLoop& chain : footprint.centrelines) chain = placed(chain, shift, 0);
+}
+
+void set_centrelines(Footprint& footprint, std::vector<PlanLoop> chains) {
+  footprint.centrelines = std::move(chains);
+  for (const PlanLoop& chain : footprint.centrelines)
+    for (const PlanEdge& edge : chain) footprint.centreline_length += edge.length();
 }
 
 double signed_area(const PlanLoop& loop) {
@@ -256,7 +264,7 @@ Footprint strip(const std::vector<PathStep>& path, double width) {
   result.loops = {loop};
   result.half_width = result.end_half_width = half;
   result.mean_width = width;
-  for (const PlanEdge& edge : centre) result.centreline_length += edge.length();
+  set_centrelines(result, {centre});
   centre_on_origin(result);
   return result;
 }
@@ -273,7 +281,7 @@ Footprint taper(double length, double start_width, double end_width) {
   result.end_half_width = r1;
   result.axis_start = a;
   result.axis_end = b;
-  result.centreline_length = length;
+  set_centrelines(result, {{line(a, b)}});
   result.mean_width = r0 + r1;
   return result;
 }
@@ -284,31 +292,31 @@ Footprint network(const std::vector<Vec2>& nodes, const std::vector<std::pair<in
   result.loops = NetworkOutline(nodes, arms, width, fillet).loops();
   result.half_width = result.end_half_width = width / 2;
   result.mean_width = width;
-  for (const auto& [a, b] : arms) result.centreline_length += distance(nodes[a], nodes[b]);
+  std::vector<PlanLoop> centres;
+  for (const auto& [a, b] : arms) centres.push_back({line(nodes[a], nodes[b])});
+  set_centrelines(result, std::move(centres));
   centre_on_origin(result);
   return result;
 }
 
-Footprint ring(const PlanLoop& outer, const PlanLoop& inner, double width, double centreline_length) {
+Footprint ring(const PlanLoop& outer, const PlanLoop& centre, const PlanLoop& inner, double width) {
   Footprint result;
   result.loops = {outer, reversed(inner)};
   result.half_width = result.end_half_width = width / 2;
   result.mean_width = width;
-  result.centreline_length = centreline_length;
+  set_centrelines(result, {centre});
   return result;
 }
 
 Footprint circular_ring(double outer_radius, double width) {
-  return ring(circle(outer_radius), circle(outer_radius - width), width, 2 * pi * (outer_radius - width / 2));
+  return ring(circle(outer_radius), circle(outer_radius - width / 2), circle(outer_radius - width), width);
 }
 
 Footprint rounded_ring(double length, double height, double corner_radius, double width) {
-  const PlanLoop outer = rounded_rectangle(length, height, corner_radius);
-  const PlanLoop inner = rounded_rectangle(length - 2 * width, height - 2 * width, corner_radius - width);
-  double middle_length = 0;
-  for (const PlanEdge& edge : rounded_rectangle(length - width, height - width, corner_radius - width / 2))
-    middle_length += edge.length();
-  return ring(outer, inner, width, middle_length);
+  const auto inset = [&](double by) {
+    return rounded_rectangle(length - 2 * by, height - 2 * by, corner_radius - by);
+  };
+  return ring(inset(0), inset(width / 2), inset(width), width);
 }
 
 Footprint blob(const PlanLoop& loop, double half_width) {

@@ -42,6 +42,8 @@ struct Feature {
 
   /// The loops of the footprint on the panel, in plan.
   std::vector<PlanLoop> loops() const;
+  /// The centre lines of the footprint on the panel, in plan.
+  std::vector<PlanLoop> centrelines() const;
   /// Rise over the base at a point of the feature's own frame; `inside` is its distance to the boundary.
   double rise(Vec2 local, double inside) const;
 };
