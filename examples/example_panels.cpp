@@ -78,6 +78,12 @@ PanelDesign sheet(std::string name, double length, double width, Base base) {
 
 }  // namespace
 
+PanelDesign single_panel() {
+  PanelDesign panel = sheet("single", 200, 100, {});
+  add(panel, {bead("I", straight_bead(104, 16), {0, 0, 0, 5})});
+  return panel;
+}
+
 PanelDesign basic_panel() {
   PanelDesign panel = sheet("basic", 260, 200, {});
   add(panel, {
@@ -170,10 +176,11 @@ PanelDesign floor_panel() {
 }
 
 std::vector<std::string> example_names() {
-  return {"basic", "rotated", "curved", "floor"};
+  return {"single", "basic", "rotated", "curved", "floor"};
 }
 
 std::optional<PanelDesign> example_panel(const std::string& name) {
+  if (name == "single") return single_panel();
   if (name == "basic") return basic_panel();
   if (name == "rotated") return rotated_panel();
   if (name == "curved") return curved_panel();

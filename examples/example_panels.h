@@ -9,6 +9,8 @@
 
 namespace beadmesh::examples {
 
+/// `single`: flat, 200 x 100 mm: one straight bead of 120 x 16 x 5.
+PanelDesign single_panel();
 /// `basic`: flat, 260 x 200 mm: an I, a taper, a T, a ring, an emboss, a hole.
 PanelDesign basic_panel();
 /// `rotated`: the same kinds in other sizes, at odd angles, some pressed downwards.

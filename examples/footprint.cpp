@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace beadmesh::examples {
 namespace {
@@ -39,6 +40,12 @@ Vec2 middle(const PlanLoop& loop) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   return (low + high) / 2;
+}
+
+void set_centrelines(Footprint& footprint, std::vector<PlanLoop> chains) {
+  footprint.centrelines = std::move(chains);
+  for (const PlanLoop& chain : footprint.centrelines)
+    for (const PlanEdge& edge : chain) footprint.centreline_length += edge.length();
 }
 
 double signed_area(const PlanLoop& loop) {
@@ -242,6 +249,7 @@ PlanLoop circle(double radius, int edges) {
 void centre_on_origin(Footprint& footprint) {
   const Vec2 shift = -middle(footprint.loops.front());
   for (PlanLoop& loop : footprint.loops) loop = placed(loop, shift, 0);
+  for (PlanLoop& chain : footprint.centrelines) chain = placed(chain, shift, 0);
 }
 
 Footprint strip(const std::vector<PathStep>& path, double width) {
@@ -256,7 +264,7 @@ Footprint strip(const std::vector<PathStep>& path, double width) {
   result.loops = {loop};
   result.half_width = result.end_half_width = half;
   result.mean_width = width;
-  for (const PlanEdge& edge : centre) result.centreline_length += edge.length();
+  set_centrelines(result, {centre});
   centre_on_origin(result);
   return result;
 }
@@ -273,7 +281,7 @@ Footprint taper(double length, double start_width, double end_width) {
   result.end_half_width = r1;
   result.axis_start = a;
   result.axis_end = b;
-  result.centreline_length = length;
+  set_centrelines(result, {{line(a, b)}});
   result.mean_width = r0 + r1;
   return result;
 }
@@ -284,37 +292,39 @@ Footprint network(const std::vector<Vec2>& nodes, const std::vector<std::pair<in
   result.loops = NetworkOutline(nodes, arms, width, fillet).loops();
   result.half_width = result.end_half_width = width / 2;
   result.mean_width = width;
-  for (const auto& [a, b] : arms) result.centreline_length += distance(nodes[a], nodes[b]);
+  std::vector<PlanLoop> centres;
+  for (const auto& [a, b] : arms) centres.push_back({line(nodes[a], nodes[b])});
+  set_centrelines(result, std::move(centres));
   centre_on_origin(result);
   return result;
 }
 
-Footprint ring(const PlanLoop& outer, const PlanLoop& inner, double width, double centreline_length) {
+Footprint ring(const PlanLoop& outer, const PlanLoop& centre, const PlanLoop& inner, double width) {
   Footprint result;
   result.loops = {outer, reversed(inner)};
   result.half_width = result.end_half_width = width / 2;
   result.mean_width = width;
-  result.centreline_length = centreline_length;
+  if (!centre.empty()) set_centrelines(result, {centre});
   return result;
 }
 
 Footprint circular_ring(double outer_radius, double width) {
-  return ring(circle(outer_radius), circle(outer_radius - width), width, 2 * pi * (outer_radius - width / 2));
+  return ring(circle(outer_radius), circle(outer_radius - width / 2), circle(outer_radius - width), width);
 }
 
 Footprint rounded_ring(double length, double height, double corner_radius, double width) {
-  const PlanLoop outer = rounded_rectangle(length, height, corner_radius);
-  const PlanLoop inner = rounded_rectangle(length - 2 * width, height - 2 * width, corner_radius - width);
-  double middle_length = 0;
-  for (const PlanEdge& edge : rounded_rectangle(length - width, height - width, corner_radius - width / 2))
-    middle_length += edge.length();
-  return ring(outer, inner, width, middle_length);
+  const auto inset = [&](double by) {
+    return rounded_rectangle(length - 2 * by, height - 2 * by, corner_radius - by);
+  };
+  return ring(inset(0), inset(width / 2), inset(width), width);
 }
 
 Footprint eccentric_ring(double outer_radius, double width, double offset) {
   const double inner_radius = outer_radius - width;
-  Footprint result = ring(circle(outer_radius), placed(circle(inner_radius), {offset, 0}, 0), width,
-                          pi * (outer_radius + inner_radius));
+  // The middle line is an ellipse with the two centres as foci: a circle to within offset^2 / (4 radius).
+  const PlanLoop middle_line = placed(circle((outer_radius + inner_radius) / 2), {offset / 2, 0}, 0);
+  Footprint result =
+      ring(circle(outer_radius), middle_line, placed(circle(inner_radius), {offset, 0}, 0), width);
   result.between_loops = true;
   return result;
 }
@@ -324,7 +334,8 @@ Footprint oval_with_round_window(double length, double height, double width) {
   const PlanLoop outer = rounded_rectangle(length, height, height / 2);
   double perimeter = 2 * pi * inner_radius;
   for (const PlanEdge& edge : outer) perimeter += edge.length();
-  Footprint result = ring(outer, circle(inner_radius), width + (length - height) / 4, perimeter / 2);
+  Footprint result = ring(outer, {}, circle(inner_radius), width + (length - height) / 4);
+  result.centreline_length = perimeter / 2;
   result.between_loops = true;
   return result;
 }

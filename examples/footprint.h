@@ -43,9 +43,10 @@ PlanLoop circle(double radius, int edges = 2);
 
 /// A feature's outline about its own origin, with the skeleton it was made from.
 struct Footprint {
-  std::vector<PlanLoop> loops;   ///< the outer one first and counter-clockwise, windows clockwise
-  double half_width = 0;         ///< mm, from the boundary to the crest (the first end of a taper)
-  double end_half_width = 0;     ///< mm, of the second end; equal to half_width but for a taper
+  std::vector<PlanLoop> loops;        ///< the outer one first and counter-clockwise, windows clockwise
+  std::vector<PlanLoop> centrelines;  ///< chains of edges, of a ring closed; none of a blob
+  double half_width = 0;              ///< mm, from the boundary to the crest (the first end of a taper)
+  double end_half_width = 0;          ///< mm, of the second end; equal to half_width but for a taper
   bool between_loops = false;    ///< the crest lies midway between the two loops, whatever their distance
   Vec2 axis_start, axis_end;     ///< of a taper, between its cap centres
   double centreline_length = 0;  ///< mm, cap centre to cap centre, all branches
@@ -74,8 +75,8 @@ Footprint taper(double length, double start_width, double end_width);
 Footprint network(const std::vector<Vec2>& nodes, const std::vector<std::pair<int, int>>& arms, double width,
                   double fillet);
 
-/// Band between two loops of one centre; `outer` and `inner` counter-clockwise.
-Footprint ring(const PlanLoop& outer, const PlanLoop& inner, double width, double centreline_length);
+/// Band between two loops on both sides of the loop `centre` (empty: not known), all three counter-clockwise.
+Footprint ring(const PlanLoop& outer, const PlanLoop& centre, const PlanLoop& inner, double width);
 Footprint circular_ring(double outer_radius, double width);
 /// Outer size; `corner_radius` of the outer loop, at least width, at most half the smaller side (then an
 /// oval).

@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace beadmesh::examples {
+namespace {
+
+std::vector<PlanLoop> placed_all(const std::vector<PlanLoop>& chains, const Feature& feature) {
+  std::vector<PlanLoop> result;
+  for (const PlanLoop& chain : chains) result.push_back(placed(chain, feature.origin, feature.angle));
+  return result;
+}
+
+}  // namespace
 
 double Base::height(Vec2 p) const {
   if (radius > 0) return std::sqrt(radius * radius - p.x * p.x) - radius;
@@ -17,9 +26,11 @@ Vec3 Base::normal(Vec2 p) const {
 }
 
 std::vector<PlanLoop> Feature::loops() const {
-  std::vector<PlanLoop> result;
-  for (const PlanLoop& loop : footprint.loops) result.push_back(placed(loop, origin, angle));
-  return result;
+  return placed_all(footprint.loops, *this);
+}
+
+std::vector<PlanLoop> Feature::centrelines() const {
+  return placed_all(footprint.centrelines, *this);
 }
 
 double Feature::rise(Vec2 local, const BoundaryDistance& boundary) const {

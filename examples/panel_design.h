@@ -43,6 +43,8 @@ struct Feature {
 
   /// The loops of the footprint on the panel, in plan.
   std::vector<PlanLoop> loops() const;
+  /// The centre lines of the footprint on the panel, in plan.
+  std::vector<PlanLoop> centrelines() const;
   /// Rise over the base at a point of the feature's own frame; `boundary` is that of the footprint.
   double rise(Vec2 local, const BoundaryDistance& boundary) const;
 };

@@ -113,6 +113,9 @@ Footprint curved_comb_bead(int teeth, double radius, double step_degrees, double
   loop.push_back(arc({}, radius - half, last, first - last));
   loop.push_back(arc(at(radius, first), half, first + pi, pi));
   Footprint result = blob(loop, half);
+  result.centrelines.push_back({arc({}, radius, first, last - first)});
+  for (int i = 1; i <= teeth; ++i)
+    result.centrelines.push_back({line(at(radius, first + i * step), at(tip, first + i * step))});
   result.centreline_length = radius * (last - first) + teeth * tooth;
   centre_on_origin(result);
   return result;

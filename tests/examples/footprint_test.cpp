@@ -121,6 +121,23 @@ TEST(Footprint, BandsBetweenLoopsOfTheirOwnHaveNoConstantWidth) {
   EXPECT_NEAR(of_oval({36, 0}), 9, 1e-9);
 }
 
+TEST(Footprint, CentreLinesKeepHalfTheWidthFromTheBoundary) {
+  const std::vector<Footprint> beads{arc_bead(60, 80, 14), g_bead(30, 14, 12), comb_bead(5, 34, 46, 12, 8),
+                                     circular_ring(44, 12), rounded_ring(90, 70, 20, 13)};
+  for (const Footprint& bead : beads) {
+    const BoundaryDistance inside(bead.loops);
+    double length = 0;
+    for (const PlanLoop& chain : bead.centrelines) {
+      for (const Vec2 p : sampled(chain)) EXPECT_GT(inside(p), bead.half_width - 1e-6);
+      for (const PlanEdge& edge : chain) {
+        EXPECT_NEAR(inside(edge.point(0)), bead.half_width, 3) << "a little more at junctions";
+        length += edge.length();
+      }
+    }
+    EXPECT_NEAR(length, bead.centreline_length, 1e-9);
+  }
+}
+
 TEST(Footprint, BoundaryDistanceIsSigned) {
   const BoundaryDistance inside(circular_ring(40, 10).loops);
   EXPECT_NEAR(inside({35, 0}), 5, 1e-9);

@@ -153,7 +153,8 @@ TEST_P(ExamplePanel, EveryBeadIsFoundAsDrawnAndNoOther) {
   EXPECT_EQ(int(table.beads.size()), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Pipeline, ExamplePanel, ::testing::Values("basic", "rotated", "curved", "floor"),
+INSTANTIATE_TEST_SUITE_P(Pipeline, ExamplePanel,
+                         ::testing::Values("single", "basic", "rotated", "curved", "floor"),
                          [](const auto& test) { return test.param; });
 
 TEST(Pipeline, BasicExampleHoldsTheHardRules) {
