@@ -37,6 +37,15 @@ crop basic sheet "90 760 780 405" && png sheet 1100
 mesh coarse basic --preset nvh
 crop coarse i_bead_coarse "70 165 580 140" && png i_bead_coarse 1100
 
+# Every shape of bead on a panel of its own.
+mkdir -p "$here/shapes"
+for shape in straight tapered arc S wavy L J U G T Y X H F trident comb curved-comb ladder tree \
+  circle oval rectangle eccentric corrugated; do
+  "$build/examples/make_example_panel" shapes $shape.step $shape.json --width 16 --height 5 --only $shape
+  mesh $shape $shape
+  png $shape 460 && mv "$here/$shape.png" "$here/shapes/"
+done
+
 "$beadmesh" medial floor.step --face 2 --svg comb_medial.svg
 png comb_medial 1200
 "$beadmesh" medial basic.step --face 1 --svg sheet_medial.svg
