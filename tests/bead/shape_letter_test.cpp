@@ -39,6 +39,12 @@ Footprint f_footprint() {
                  {{0, 1}, {1, 2}, {2, 3}, {2, 4}, {1, 5}}, 12, 7);
 }
 
+/// Three teeth, the outer ones bent into the spine.
+Footprint e_footprint() {
+  return network({{0, 0}, {0, 40}, {0, 80}, {40, 80}, {40, 40}, {40, 0}},
+                 {{0, 1}, {1, 2}, {2, 3}, {1, 4}, {0, 5}}, 12, 7);
+}
+
 Footprint tree_footprint() {
   return network({{0, 0}, {50, 0}, {-50, 0}, {0, 50}, {0, -50}, {90, 40}, {90, -40}},
                  {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 5}, {1, 6}}, 12, 7);
@@ -68,12 +74,17 @@ std::vector<Named> several_arms() {
           {"X", "75 degrees", star_footprint({0, 75, 180, 255}, 60, 14, 8)},
           {"H", "", examples::h_bead(90, 60, 13, 8)},
           {"F", "", f_footprint()},
+          {"F", "upper tooth bent into the spine", examples::f_bead(84, 40, 12, 7)},
           {"trident", "", examples::trident_bead(60, 40, 40, 12, 7)},
           {"comb", "three teeth", examples::comb_bead(3, 34, 46, 12, 8)},
           {"comb", "five teeth", examples::comb_bead(5, 34, 46, 12, 8)},
+          {"comb", "three teeth, two of them bent into the spine", e_footprint()},
+          {"comb", "curved", examples::curved_comb_bead(3, 84, 24, 40, 12, 7)},
+          {"comb", "five teeth, curved", examples::curved_comb_bead(5, 100, 20, 45, 12, 7)},
           {"ladder", "one window", examples::ladder_bead(2, 42, 46, 13, 8)},
           {"ladder", "two windows", examples::ladder_bead(3, 42, 46, 13, 8)},
           {"tree", "", tree_footprint()},
+          {"tree", "two levels of forks", examples::tree_bead(44, 46, 36, 12, 7)},
           {"ring", "round", examples::circular_ring(40, 14)},
           {"ring", "oval", examples::rounded_ring(110, 86, 27, 15)}};
 }

@@ -162,11 +162,14 @@ std::vector<Vec2> directions_from(const Skeleton& skeleton, Index node) {
   return out;
 }
 
-/// Index of the arm that stands off the through pair (within 25 degrees of a line), or no_index for a Y.
-Index stem_of(const Skeleton& skeleton, Index node) {
+constexpr double through = radians(155);       ///< two arms of a T are one bar
+constexpr double curved_spine = radians(140);  ///< the same along the spine of a comb, which may be curved
+
+/// Index of the arm that stands off the through pair (the other two, `least` apart), or no_index for a Y.
+Index stem_of(const Skeleton& skeleton, Index node, double least = through) {
   const auto d = directions_from(skeleton, node);
   Index stem = no_index;
-  double best = radians(155);
+  double best = least;
   for (int k = 0; k < 3; ++k) {
     const double angle = angle_between(d[(k + 1) % 3], d[(k + 2) % 3]);
     if (angle > best) {
@@ -182,13 +185,41 @@ bool is_end_arm(const Skeleton& skeleton, Index arm) {
          skeleton.nodes[skeleton.arms[arm].end].arms.size() == 1;
 }
 
+/// Arms of a junction that bend round into teeth beside its stem, as a rounded corner of the spine does.
+int bent_teeth(const Skeleton& skeleton, Index node) {
+  const Index stem = stem_of(skeleton, node);
+  if (stem == no_index || !is_end_arm(skeleton, stem)) return 0;
+  const SkeletonArm& tooth = skeleton.arms[stem];
+  const Vec2 along = settled_direction(tooth, tooth.end == node, skeleton.nodes[node].radius);
+  int count = 0;
+  for (Index a : skeleton.nodes[node].arms) {
+    const SkeletonArm& arm = skeleton.arms[a];
+    if (a == stem || !is_end_arm(skeleton, a)) continue;
+    const bool leaves_at_end = arm.end == node;
+    const Index tip = leaves_at_end ? arm.start : arm.end;
+    const Vec2 outward = -settled_direction(arm, !leaves_at_end, skeleton.nodes[tip].radius);
+    count += angle_between(outward, along) < radians(25);
+  }
+  return count;
+}
+
+std::string letter_of_one_junction(const Skeleton& skeleton, Index node) {
+  const size_t degree = skeleton.nodes[node].arms.size();
+  if (degree == 4) return "X";
+  if (degree != 3) return "tree";
+  if (stem_of(skeleton, node) == no_index) return "Y";
+  const int bent = bent_teeth(skeleton, node);
+  return bent == 0 ? "T" : bent == 1 ? "F" : "comb";
+}
+
 std::string letter_of_two_junctions(const Skeleton& skeleton, const Counts& counts) {
   const Index a = counts.junctions[0], b = counts.junctions[1];
   const Index stem_a = stem_of(skeleton, a), stem_b = stem_of(skeleton, b);
   const auto joins = [&](Index arm) { return arm != no_index && !is_end_arm(skeleton, arm); };
   if (joins(stem_a) && joins(stem_b)) return "H";
   const bool teeth = stem_a != no_index && stem_b != no_index && !joins(stem_a) && !joins(stem_b);
-  return teeth ? "F" : "tree";
+  if (!teeth) return "tree";
+  return bent_teeth(skeleton, a) + bent_teeth(skeleton, b) > 0 ? "comb" : "F";
 }
 
 /// A tooth's direction against its spine: which side of the way from the junction to the next one it stands
@@ -202,8 +233,8 @@ bool teeth_on_one_side(const Skeleton& skeleton, const Counts& counts) {
       if (!is_end_arm(skeleton, a)) continue;
       const SkeletonArm& arm = skeleton.arms[a];
       const Vec2 direction = settled_direction(arm, arm.end == n, skeleton.nodes[n].radius);
-      const bool through = stem_of(skeleton, n) != a && stem_of(skeleton, n) != no_index;
-      if (!through) stems.push_back(direction);
+      const Index stem = stem_of(skeleton, n, curved_spine);
+      if (stem == a || stem == no_index) stems.push_back(direction);
     }
   }
   for (Vec2 s : stems) mean += s;
@@ -232,12 +263,7 @@ bool is_trident(const Skeleton& skeleton, const Counts& counts) {
 
 std::string letter_of_tree(const Skeleton& skeleton, const Counts& counts) {
   if (is_trident(skeleton, counts)) return "trident";
-  if (counts.junctions.size() == 1) {
-    const size_t degree = skeleton.nodes[counts.junctions[0]].arms.size();
-    if (degree == 4) return "X";
-    if (degree != 3) return "tree";
-    return stem_of(skeleton, counts.junctions[0]) == no_index ? "Y" : "T";
-  }
+  if (counts.junctions.size() == 1) return letter_of_one_junction(skeleton, counts.junctions[0]);
   if (counts.junctions.size() == 2 && counts.ends == 4) {
     const std::string letter = letter_of_two_junctions(skeleton, counts);
     if (letter != "tree") return letter;
