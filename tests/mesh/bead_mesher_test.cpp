@@ -114,6 +114,18 @@ TEST(BeadMesher, BeadWithSetNodesIsRefusedUnlessARing) {
   EXPECT_EQ(mesh.error().code, "mesh.bead.prescribed");
 }
 
+/// Boundary nodes slide: no edge between them may fall under the minimum either.
+TEST(BeadMesher, TwoElementsAcrossKeepTheMinimumRoundTheirEnds) {
+  const StudiedBead bead = studied_bead(examples::straight_bead(54, 9), 2.8, flat_base, {}, 1);
+  BeadMesherOptions options;
+  options.size = 8;
+  options.min_edge = 4;
+  const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::I, options);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(mesh->elements_across, 2);
+  EXPECT_EQ(quality_of(*mesh, *bead.study).edges_below_min, 0);
+}
+
 TEST(BeadMesher, NarrowBeadIsOneElementWideAndSaysSo) {
   const StudiedBead bead = studied_bead(examples::straight_bead(60, 4.4), 0.8, flat_base, {}, 0.7);
   const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::I);

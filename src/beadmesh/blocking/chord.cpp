@@ -99,7 +99,8 @@ class CapBuilder {
   /// Arc from the tip to the bend without a core, where the chord is as long as the radius and no shorter
   /// than the minimum; at most two thirds of the way to the cut.
   double tip_arc(int side, double arc) const {
-    const double wanted = std::max(options_.radius, 1.06 * options_.min_edge);
+    // Unrolled caps are a little larger than they are in space.
+    const double wanted = std::max(options_.radius, 1.15 * options_.min_edge);
     const Vec2 tip = builder_.point_of(tip_);
     const double most = arc * 2 / 3;
     for (double s = 0; s < most; s += most / 200)

@@ -80,6 +80,13 @@ double NodeMotion::shortfall(Index node) const {
   return 1 - shortest / limits_.min_edge;
 }
 
+/// Each edge at the node once: inner ones where they leave it, on the boundary also the one that arrives.
+bool NodeMotion::is_own_side(const MeshElement& element, int side, Index node) const {
+  if (element[side] == node) return true;
+  return element[(side + 1) % corner_count(element)] == node &&
+         mesh_.element_with_edge(node, element[side]) == no_index;
+}
+
 NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
   // Near the minimum edge length a soft wall begins; what is below it weighs more than any shape.
   const double soft = 1.2 * limits_.min_edge, width = soft - limits_.min_edge, long_side = 1.6 * limits_.size;
@@ -98,7 +105,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
       // Seen from the surface alone, skew costs nothing: rows would run zigzag.
       if (aim == MotionAim::surface) state.cost += 1 - corners.jacobian[i];
       if (corners.jacobian[i] < limits_.aim) state.cost += 40 * square(limits_.aim - corners.jacobian[i]);
-      if (element[i] != node) continue;
+      if (!is_own_side(element, i, node)) continue;
       const double side = corners.side[i];
       if (side < soft) state.cost += 0.5 * square((soft - side) / width);
       if (side < limits_.min_edge) {

@@ -58,6 +58,7 @@ class NodeMotion {
   struct State {
     double cost = 0, worst = 0, shortage = 0, deviation = 0;
   };
+  bool is_own_side(const MeshElement& element, int side, Index node) const;
   State measure(Index node, MotionAim aim) const;
   void add_deviations(Index node, State& state) const;
   double floor_of(const State& before, MotionAim aim) const;
