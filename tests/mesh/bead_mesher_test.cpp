@@ -25,7 +25,7 @@ void expect_good(const Footprint& footprint, BeadKind kind, double jacobian, int
   expect_sound(*mesh, *bead.study);
   const QualitySummary quality = quality_of(*mesh, *bead.study);
   EXPECT_EQ(quality.inverted, 0);
-  EXPECT_EQ(quality.edges_below_min, 0);
+  EXPECT_EQ(quality.edges_below_min, 0) << quality.edge_min;
   EXPECT_EQ(quality.irregular, irregular);
   EXPECT_GE(quality.scaled_jacobian_min, jacobian);
   EXPECT_GE(quality.scaled_jacobian_mean, 0.93);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double opposite_feet =
     radians(165);  ///< a cut runs across the arm only where its feet face each other
-constexpr double flat_sector = radians(150);  ///< arms further apart leave a straight far side between them
+constexpr double flat_sector = radians(140);  ///< arms further apart leave a straight far side between them
 
 /// One end of an arm at a junction, seen outward from the junction.
 struct ArmEnd {

@@ -114,12 +114,37 @@ void take_over_boundary(BeadMesh& mesh) {
   }
 }
 
+double shortest_edge(const PlanarMesh& mesh, const FaceStudy& study) {
+  std::vector<Vec3> nodes;
+  for (const Vec2 p : mesh.nodes) nodes.push_back(study.lift(p));
+  double shortest = 1e300;
+  for (const MeshElement& element : mesh.elements)
+    for (int i = 0; i < corner_count(element); ++i)
+      shortest =
+          std::min(shortest, distance(nodes[element[i]], nodes[element[(i + 1) % corner_count(element)]]));
+  return shortest;
+}
+
+/// Lengths are kept on the facets. Where an edge falls under the minimum on the surface itself, it is
+/// smoothed again with as much more.
+SmoothingReport smooth_on_surface(BeadMesh& mesh, const FaceStudy& study, const BeadMesherOptions& options) {
+  const BeadMesh before = mesh;
+  SmoothingOptions smoothing{options.size, options.min_edge, 20, 10, 10};
+  SmoothingReport report = smooth(mesh.mesh, study.map.get(), mesh.lines, smoothing);
+  const double shortest = shortest_edge(mesh.mesh, study);
+  if (report.edges_below_min > 0 || shortest >= options.min_edge * (1 - 1e-6)) return report;
+  mesh = before;
+  smoothing.min_edge *= std::min(1.08, 1.003 * options.min_edge / shortest);
+  report = smooth(mesh.mesh, study.map.get(), mesh.lines, smoothing);
+  report.edges_below_min = shortest_edge(mesh.mesh, study) < options.min_edge * (1 - 1e-6) ? 1 : 0;
+  return report;
+}
+
 /// Smooths and judges. What falls short is said in the failure.
 Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const BeadMesherOptions& options) {
   if (!mesh) return tl::unexpected(mesh.error());
   free_boundary(*mesh, study.region, options);
-  const SmoothingReport report =
-      smooth(mesh->mesh, study.map.get(), mesh->lines, {options.size, options.min_edge, 20, 10, 10});
+  const SmoothingReport report = smooth_on_surface(*mesh, study, options);
   take_over_boundary(*mesh);
   if (report.inverted > 0)
     return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
