@@ -119,12 +119,13 @@ def even_points(line, step):
 
 
 def sagitta(points, length):
-    """What an edge of this length misses of the bow through the points."""
+    """What edges of this length around a point miss of the bow through the points."""
     reach = max(1, int(0.5 * length / max(np.linalg.norm(points[1] - points[0]), 1e-9)))
     if len(points) < 2 * reach + 1:
         return np.zeros(len(points))
     bow = np.linalg.norm(points[reach:-reach] - (points[:-2 * reach] + points[2 * reach:]) / 2, axis=1)
-    return np.pad(bow, reach, mode="edge")
+    bow = np.pad(bow, 2 * reach, mode="edge")  # the edge over a point may have its middle half a length away
+    return np.lib.stride_tricks.sliding_window_view(bow, 2 * reach + 1).max(axis=1)
 
 
 def crest_coverage(ridge, edges, size):
@@ -161,7 +162,7 @@ def loose_tips(ridge, feature):
     """Ends of the crest that lie neither on the boundary nor on another crest line."""
     ends = [np.array(line[k]) for line in ridge for k in (0, -1) if np.linalg.norm(np.subtract(line[0], line[-1])) > 1e-6]
     alone = [p for i, p in enumerate(ends) if all(np.linalg.norm(p - q) > 0.05 for j, q in enumerate(ends) if j != i)]
-    return sum(distance_to_loops(feature, p[:2]) > 0.3 for p in alone)
+    return sum(bool(distance_to_loops(feature, p[:2]) > 0.3) for p in alone)
 
 
 # ---------------------------------------------------------------- panels and rows
