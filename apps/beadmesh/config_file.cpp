@@ -61,6 +61,7 @@ Keys<SettingsLayer> main_keys() {
 Keys<SettingsLayer> bead_keys() {
   return {number_key("min_aspect_ratio", &SettingsLayer::min_aspect_ratio),
           number_key("max_joint_angle", &SettingsLayer::max_joint_angle),
+          count_key("max_loops", &SettingsLayer::max_loops),
           number_key("min_rise", &SettingsLayer::min_rise)};
 }
 

@@ -7,11 +7,11 @@
 
 namespace beadmesh::app {
 
-/// Keys: preset, size, min_edge, thickness, jobs, unit; [bead] min_aspect_ratio, max_joint_angle, min_rise;
-/// [read] chord, angle, max_facet, sew_tolerance, feature_angle; [mesh.bead], [mesh.bead.I], .generic,
-/// .annular size, min_edge, elements_across, elements_along, clamp_rows, method; [[mesh.beads]] the same with
-/// id or point; [[mesh.local_size]] point, radius, size. Lengths in mm, angles in degrees. Fails with
-/// config.*: no such file, a syntax error, an unknown key or a value of the wrong type, with its line.
+/// Keys: preset, size, min_edge, thickness, jobs, unit; [bead] min_aspect_ratio, max_joint_angle, max_loops,
+/// min_rise; [read] chord, angle, max_facet, sew_tolerance, feature_angle; [mesh.bead], [mesh.bead.I],
+/// .generic, .annular size, min_edge, elements_across, elements_along, clamp_rows, method; [[mesh.beads]] the
+/// same with id or point; [[mesh.local_size]] point, radius, size. Lengths in mm, angles in degrees. Fails
+/// with config.*: no such file, a syntax error, an unknown key or a value of the wrong type, with its line.
 Result<SettingsLayer> read_config(const std::filesystem::path& path);
 
 }  // namespace beadmesh::app

@@ -86,6 +86,7 @@ Result<void> apply(const SettingsLayer& layer, Settings& settings) {
   set(settings.beads.min_aspect_ratio, layer.min_aspect_ratio);
   set(settings.beads.max_joint_angle, layer.max_joint_angle, radians(1));
   set(settings.beads.min_rise, layer.min_rise);
+  settings.beads.max_loops = layer.max_loops.value_or(settings.beads.max_loops);
   set(settings.read.chord, layer.chord);
   set(settings.read.angle, layer.angle, radians(1));
   set(settings.read.max_facet, layer.max_facet);
@@ -103,6 +104,7 @@ Result<void> check(const Settings& s) {
       {"usage.min_aspect_ratio", "least aspect ratio of a bead", s.beads.min_aspect_ratio, 0, 1e6, false},
       {"usage.max_joint_angle", "largest joint angle (degrees)", degrees(s.beads.max_joint_angle), 0, 180,
        false},
+      {"usage.max_loops", "most loops of a bead", static_cast<double>(s.beads.max_loops), 1, 1e6, false},
       {"usage.min_rise", "least rise of a bead", s.beads.min_rise, 0, 1e6, false},
       {"usage.chord", "chord error of the facets (mm)", s.read.chord, 0, 1e6, true},
       {"usage.angle", "angle of the facets (degrees)", degrees(s.read.angle), 0, 90, true},

@@ -22,7 +22,7 @@ struct Settings {
 struct SettingsLayer {
   std::optional<std::string> preset;  ///< crash, nvh, durability
   std::optional<double> size, min_edge, thickness;
-  std::optional<int> jobs;
+  std::optional<int> jobs, max_loops;
   std::optional<std::string> unit;
   std::optional<double> min_aspect_ratio, max_joint_angle, min_rise;            ///< angle in degrees
   std::optional<double> chord, angle, max_facet, sew_tolerance, feature_angle;  ///< angles in degrees

@@ -179,5 +179,16 @@ TEST(Recognition, ThreeLoopsAreNoBead) {
   EXPECT_NE(boundary.error().message.find("3 loops"), std::string::npos);
 }
 
+TEST(Recognition, MoreLoopsWhereTheyAreAllowed) {
+  const StudiedBead ladder = studied_bead(examples::ladder_bead(3, 42, 46, 13, 8), 4.5);
+  BeadOptions options;
+  options.max_loops = 3;
+  ASSERT_TRUE(check_boundary(*ladder.study, options));
+  const auto bead = recognise(*ladder.study, ladder.medial, options);
+  ASSERT_TRUE(bead) << bead.error().message;
+  EXPECT_EQ(bead->kind, BeadKind::generic);
+  EXPECT_EQ(bead->shape, "ladder");
+}
+
 }  // namespace
 }  // namespace beadmesh

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "bead/studied_bead.h"
 #include "beadmesh/blocking/axis_station.h"
@@ -30,7 +31,7 @@ Ring ring_of(const PlanarRegion& drawn) {
 AnnularBlockOptions around(int n, int across = 4) {
   AnnularBlockOptions options;
   options.elements_across = across;
-  options.elements_around = n;
+  options.elements_on_loop = {n, n};
   return options;
 }
 
@@ -83,7 +84,7 @@ TEST(AnnularBlocks, SameEvenNumberOnBothLoopsAndTheCrest) {
 TEST(AnnularBlocks, PrescribedNodesOfOneLoopAreKept) {
   const Ring ring = ring_of(annulus(44, 30));
   for (const int loop : {0, 1}) {
-    AnnularBlockOptions options = around(10);
+    AnnularBlockOptions options = around(0);
     options.prescribed.resize(2);
     options.prescribed[loop] = even_nodes(ring.lengths[loop], 26, 0.37);
     auto layout = blocks_of_annular_bead(ring.skeleton, ring.region, options);
@@ -111,13 +112,38 @@ TEST(AnnularBlocks, PrescribedNodesOfBothLoopsAreKept) {
   }
 }
 
-TEST(AnnularBlocks, DifferentPrescribedCountsAreRefused) {
+TEST(AnnularBlocks, DifferentCountsGiveGradedBlocksWithTheMeanOnTheCrest) {
+  const Ring ring = ring_of(annulus(60, 30));
+  for (const bool prescribed : {false, true})
+    for (const auto& [outer, inner] : {std::pair{64, 32}, {40, 38}, {30, 32}, {90, 20}}) {
+      AnnularBlockOptions options = around(0);
+      options.elements_on_loop = {outer, inner};
+      if (prescribed)
+        options.prescribed = {even_nodes(ring.lengths[0], outer, 0.3),
+                              even_nodes(ring.lengths[1], inner, 0.8)};
+      auto layout = blocks_of_annular_bead(ring.skeleton, ring.region, options);
+      ASSERT_TRUE(layout) << layout.error().message;
+      expect_sound(*layout, ring.region);
+      ASSERT_TRUE(assign_counts(*layout, flat_lengths(*layout), {5, 2.5}));
+      EXPECT_EQ(boundary_count(*layout), outer + inner);
+      int crest = 0;
+      for (const VirtualEdge& edge : layout->edges)
+        if (edge.kind == VirtualEdgeKind::ridge) crest += edge.count;
+      EXPECT_LE(std::abs(crest - (outer + inner) / 2), 1);
+      EXPECT_EQ(crest % 2, 0);
+    }
+}
+
+TEST(AnnularBlocks, CountsThatGradedRowsCannotMakeUpForAreRefused) {
   const Ring ring = ring_of(annulus(44, 30));
-  AnnularBlockOptions options = around(0);
-  options.prescribed = {even_nodes(ring.lengths[0], 32), even_nodes(ring.lengths[1], 30)};
-  const auto layout = blocks_of_annular_bead(ring.skeleton, ring.region, options);
-  ASSERT_FALSE(layout);
-  EXPECT_EQ(layout.error().code, "blocking.annular.prescribed");
+  for (const auto& [outer, inner, across] : {std::array{80, 12, 4}, {32, 30, 1}}) {
+    AnnularBlockOptions options = around(0, across);
+    options.elements_on_loop = {outer, inner};
+    const auto layout = blocks_of_annular_bead(ring.skeleton, ring.region, options);
+    ASSERT_FALSE(layout);
+    EXPECT_EQ(layout.error().code, "blocking.annular.prescribed");
+  }
+  EXPECT_FALSE(blocks_of_annular_bead(ring.skeleton, ring.region, around(31))) << "odd";
 }
 
 TEST(AnnularBlocks, TooFewElementsAreRefused) {

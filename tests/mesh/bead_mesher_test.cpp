@@ -99,10 +99,17 @@ TEST(BeadMesher, RingTakesTheNodesOfItsNeighbour) {
 TEST(BeadMesher, RingTakesTheNumberAround) {
   const StudiedBead bead = studied_bead(examples::circular_ring(44, 14), 5);
   BeadMesherOptions options;
-  options.elements_around = 38;
+  options.elements_on_loop = {38, 38};
   const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::annular, options);
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->boundary.size(), 76);
+}
+
+TEST(BeadMesher, LadderOfTwoWindowsIsMeshedByBlocks) {
+  const StudiedBead bead = studied_bead(examples::ladder_bead(3, 42, 46, 13, 8), 4.5);
+  const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::generic, {});
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(mesh->method, "blocks");
 }
 
 TEST(BeadMesher, BeadWithSetNodesIsRefusedUnlessARing) {

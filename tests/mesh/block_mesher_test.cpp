@@ -63,10 +63,31 @@ TEST(BlockMesher, TBeadHasThreeCrestLinesThatMeet) {
   for (const auto& [node, lines] : ends) EXPECT_EQ(mesh.mesh.freedom[node], NodeFreedom::fixed);
 }
 
+TEST(BlockMesher, GradedRingChangesItsCountByTwoPerTemplate) {
+  const StudiedBead bead = studied_bead(examples::circular_ring(44, 20), 5);
+  for (const int across : {2, 4})
+    for (const auto& [outer, inner] : {std::pair{64, 32}, {50, 46}, {34, 40}}) {
+      AnnularBlockOptions options;
+      options.elements_across = across;
+      options.elements_on_loop = {outer, inner};
+      const BlockLayout layout =
+          counted(blocks_of_annular_bead(bead.skeleton(), bead.study->region, options), bead.map());
+      const BeadMesh mesh = map_blocks(layout, bead.map());
+      expect_sound(mesh, *bead.study);
+      EXPECT_EQ(mesh.boundary.size(), outer + inner);
+      // A template has a node with three elements at either end of its middle row, and one with five beside
+      // it, or one with three on the boundary.
+      EXPECT_GE(irregular(mesh, *bead.study), std::abs(outer - inner));
+      EXPECT_LE(irregular(mesh, *bead.study), 2 * std::abs(outer - inner));
+      ASSERT_EQ(mesh.crest_lines.size(), 1);
+      EXPECT_EQ(mesh.crest_lines[0].front(), mesh.crest_lines[0].back());
+    }
+}
+
 TEST(BlockMesher, RingIsRegularWithAClosedCrest) {
   const StudiedBead bead = studied_bead(examples::circular_ring(44, 14), 5);
   AnnularBlockOptions options;
-  options.elements_around = 46;
+  options.elements_on_loop = {46, 46};
   const BlockLayout layout =
       counted(blocks_of_annular_bead(bead.skeleton(), bead.study->region, options), bead.map());
   const BeadMesh mesh = map_blocks(layout, bead.map());

@@ -118,9 +118,10 @@ Skeleton in_plan(const FaceStudy& study, Skeleton skeleton) {
 }  // namespace
 
 Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options) {
-  const size_t loops = study.region.loops.size();
-  if (loops > 2)
-    return fail("bead.loops", "it has " + std::to_string(loops) + " loops, a bead has one or two");
+  const int loops = int(study.region.loops.size());
+  if (loops > options.max_loops)
+    return fail("bead.loops", "it has " + std::to_string(loops) + " loops, a bead has at most " +
+                                  std::to_string(options.max_loops));
   double sharpest = 0;
   for (const auto& loop : study.joint_angles)
     for (double angle : loop) sharpest = std::max(sharpest, angle);

@@ -11,11 +11,12 @@ namespace beadmesh {
 struct BeadOptions {
   double min_aspect_ratio = 2.0;         ///< default 2.0: mean length / thickness of the medial edges
   double max_joint_angle = radians(10);  ///< default 10 degrees: sharper joints in a loop are no G1 boundary
+  int max_loops = 2;                     ///< default 2, the paper's rule; ladders of n windows have n + 1
   double min_rise =
       0.03;  ///< default 0.03: crest height over the sheet continued below it, per chord; flatter is no bead
 };
 
-/// What can be said before the medial object is made: one or two loops, G1 boundary. Fails with the reason
+/// What can be said before the medial object is made: not too many loops, G1 boundary. Fails with the reason
 /// (bead.loops, bead.corner).
 Result<void> check_boundary(const FaceStudy& study, const BeadOptions& options = {});
 

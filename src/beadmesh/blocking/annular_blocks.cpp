@@ -19,6 +19,7 @@ class AnnularBlocks {
   AnnularBlocks(const SkeletonArm& arm, const PlanarRegion& region, const AnnularBlockOptions& options)
       : arm_(arm), options_(options), builder_(region), loop_lengths_(loop_lengths_of(region)) {
     options_.prescribed.resize(2);
+    options_.elements_on_loop.resize(2);
     length_ = length_of(arm);
     const AxisStation first = station_at(arm_, 0, loop_lengths_);
     loops_[0] = first.left.loop;
@@ -28,8 +29,7 @@ class AnnularBlocks {
   Result<BlockLayout> run() {
     if (loops_[0] == loops_[1])
       return fail("blocking.annular.loops", "both feet of the axis lie on one loop");
-    if (!choose_count())
-      return fail("blocking.annular.prescribed", "its two loops carry different numbers of nodes");
+    if (const auto chosen = choose_counts(); !chosen) return tl::unexpected(chosen.error());
     place_chords();
     if (!chords_advance()) return fail("blocking.annular.feet", "the touching lines cross");
     for (size_t i = 0; i < chords_.size(); ++i) add_edges(i, (i + 1) % chords_.size());
@@ -40,39 +40,57 @@ class AnnularBlocks {
  private:
   const std::vector<double>& prescribed(int side) const { return options_.prescribed[loops_[side]]; }
 
-  bool choose_count() {
-    const size_t a = prescribed(0).size(), b = prescribed(1).size();
-    if (a && b && a != b) return false;
-    around_ = a ? int(a) : b ? int(b) : options_.elements_around;
-    return around_ >= 8;
+  Result<void> choose_counts() {
+    for (int side = 0; side < 2; ++side)
+      counts_[side] =
+          prescribed(side).empty() ? options_.elements_on_loop[loops_[side]] : int(prescribed(side).size());
+    for (int side = 0; side < 2; ++side)
+      if (!counts_[side]) counts_[side] = counts_[1 - side];
+    counts_[crest] = (counts_[0] + counts_[1] + 2) / 4 * 2;
+    if (counts_[0] == counts_[1]) counts_[crest] = counts_[0];
+    const auto [fewest, most] = std::minmax(counts_[0], counts_[1]);
+    if (fewest < 8 || fewest % 2 || most % 2)
+      return fail("blocking.annular.count", "a loop needs an even number of elements, at least 8");
+    if (is_narrow() && fewest != most)
+      return fail("blocking.annular.prescribed", "its two loops carry different numbers of nodes");
+    if (most > 3 * counts_[crest] || counts_[crest] > 3 * fewest)
+      return fail("blocking.annular.prescribed", "its two loops carry " + std::to_string(fewest) + " and " +
+                                                     std::to_string(most) + " nodes");
+    return {};
   }
 
+  /// Cuts at the places where lines with equal shares have their nodes; lines of other counts follow with an
+  /// even difference in every sector.
   void place_chords() {
-    const int pieces = around_ > 72 ? 6 : around_ > 48 ? 5 : 4;
+    const int around = counts_[crest];
+    const int pieces = around > 72 ? 6 : around > 48 ? 5 : 4;
     const int lead = prescribed(0).empty() ? 1 : 0;
-    for (int i = 0; i < pieces; ++i) {
-      const int index = int(std::lround(double(around_) * i / pieces));
-      indices_.push_back(index);
-      if (prescribed(lead).empty())
-        add_chord(station_at(arm_, length_ * index / around_, loop_lengths_));
-      else
-        add_chord(prescribed_station(lead, index));
+    for (int i = 0; i <= pieces; ++i) {
+      const int index = int(std::lround(double(counts_[lead]) * i / pieces));
+      for (int line = 0; line < 3; ++line) {
+        const double share = double(counts_[line]) * i / pieces;
+        indices_[line].push_back(index + 2 * int(std::lround((share - index) / 2)));
+      }
     }
+    for (int i = 0; i < pieces; ++i)
+      if (prescribed(lead).empty())
+        add_chord(station_at(arm_, length_ * indices_[lead][i] / counts_[lead], loop_lengths_));
+      else
+        add_chord(prescribed_station(lead, i));
   }
 
-  /// The touching line through prescribed node `index` of the leading side; node 0 is the one nearest to t =
-  /// 0.
-  AxisStation prescribed_station(int lead, int index) {
-    if (index == 0) {
+  /// Touching line i, through a prescribed node of the leading side; node 0 is the one nearest to t = 0.
+  AxisStation prescribed_station(int lead, size_t i) {
+    if (i == 0) {
       const AxisStation zero = station_at(arm_, 0, loop_lengths_);
       shift_[lead] = nearest_node(lead, foot(zero, lead).position);
     }
-    const double target = node_position(lead, index);
+    const double target = node_position(lead, indices_[lead][i]);
     AxisStation station = station_with_foot(lead, target);
     const int follower = 1 - lead;
     if (!prescribed(follower).empty()) {
-      if (index == 0) shift_[follower] = nearest_node(follower, foot(station, follower).position);
-      foot(station, follower).position = node_position(follower, index);
+      if (i == 0) shift_[follower] = nearest_node(follower, foot(station, follower).position);
+      foot(station, follower).position = node_position(follower, indices_[follower][i]);
     }
     return station;
   }
@@ -104,7 +122,7 @@ class AnnularBlocks {
 
   /// Searches the axis for the place whose foot is nearest to the target.
   AxisStation station_with_foot(int side, double target) const {
-    const int samples = 4 * around_;
+    const int samples = 4 * counts_[side];
     const double loop_length = loop_lengths_[loops_[side]];
     const auto miss = [&](double along) {
       return std::abs(
@@ -166,16 +184,15 @@ class AnnularBlocks {
       builder_.add_edge(a.left, a.right, VirtualEdgeKind::split, {}, 1);
     else
       add_chord_edges(builder_, a, options_.elements_across, false);
-    const int last = j == 0 ? around_ : indices_[j];
-    const int count = last - indices_[i];
     if (!is_narrow())
-      builder_.add_edge(a.middle, b.middle, VirtualEdgeKind::ridge, axis_between(a.along, b.along), count);
-    const Index left = builder_.add_boundary_edge(a.left, b.left, true, count);
-    const Index right = builder_.add_boundary_edge(a.right, b.right, false, count);
-    if (left == no_index || right == no_index) return;
-    for (int k = indices_[i] + 1; k < last; ++k) {
-      if (!prescribed(0).empty()) builder_.edge(left).prescribed.push_back(node_position(0, k));
-      if (!prescribed(1).empty()) builder_.edge(right).prescribed.push_back(node_position(1, k));
+      builder_.add_edge(a.middle, b.middle, VirtualEdgeKind::ridge, axis_between(a.along, b.along),
+                        indices_[crest][i + 1] - indices_[crest][i]);
+    for (int side = 0; side < 2; ++side) {
+      const int first = indices_[side][i], last = indices_[side][i + 1];
+      const Index edge = side == 0 ? builder_.add_boundary_edge(a.left, b.left, true, last - first)
+                                   : builder_.add_boundary_edge(a.right, b.right, false, last - first);
+      if (edge == no_index || prescribed(side).empty()) continue;
+      for (int k = first + 1; k < last; ++k) builder_.edge(edge).prescribed.push_back(node_position(side, k));
     }
   }
 
@@ -187,10 +204,13 @@ class AnnularBlocks {
       builder_.add_block({{{a.left, a.right}, {a.right, b.right}, {b.right, b.left}, {b.left, a.left}}});
       return;
     }
-    builder_.add_block({{{a.left, a.middle}, {a.middle, b.middle}, {b.middle, b.left}, {b.left, a.left}}});
-    builder_.add_block(
-        {{{a.middle, a.right}, {a.right, b.right}, {b.right, b.middle}, {b.middle, a.middle}}});
+    builder_.add_block({{{a.middle, b.middle}, {b.middle, b.left}, {b.left, a.left}, {a.left, a.middle}}},
+                       counts_[0] != counts_[crest]);
+    builder_.add_block({{{b.middle, a.middle}, {a.middle, a.right}, {a.right, b.right}, {b.right, b.middle}}},
+                       counts_[1] != counts_[crest]);
   }
+
+  static constexpr int crest = 2;  ///< the third line, beside the left and the right loop
 
   const SkeletonArm& arm_;
   AnnularBlockOptions options_;
@@ -198,9 +218,9 @@ class AnnularBlocks {
   std::vector<double> loop_lengths_;
   double length_ = 0;
   Index loops_[2] = {0, 1};
-  int around_ = 0;
+  int counts_[3] = {0, 0, 0};    ///< elements on the left loop, the right loop, the crest
+  std::vector<int> indices_[3];  ///< of the nodes of each line at the cuts; the last is the first again
   int shift_[2] = {0, 0};
-  std::vector<int> indices_;
   std::vector<Chord> chords_;
 };
 

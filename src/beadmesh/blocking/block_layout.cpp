@@ -13,8 +13,9 @@ double signed_area(const std::vector<Vec2>& polygon) {
   return area;
 }
 
+/// Sides 0 and 2 keep their places.
 void turn_over(Block& block) {
-  std::reverse(block.sides.begin(), block.sides.end());
+  std::swap(block.sides[1], block.sides[3]);
   for (BlockSide& side : block.sides) {
     std::reverse(side.edges.begin(), side.edges.end());
     std::reverse(side.reversed.begin(), side.reversed.end());
@@ -104,8 +105,9 @@ Index BlockLayoutBuilder::add_boundary_edge(Index start, Index end, bool backwar
   return Index(layout_.edges.size()) - 1;
 }
 
-void BlockLayoutBuilder::add_block(const std::array<std::vector<Index>, 4>& sides) {
+void BlockLayoutBuilder::add_block(const std::array<std::vector<Index>, 4>& sides, bool graded) {
   Block block;
+  block.graded = graded;
   std::vector<Vec2> outline;
   for (int k = 0; k < 4; ++k) {
     for (size_t i = 1; i < sides[k].size(); ++i) {

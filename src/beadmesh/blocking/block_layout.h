@@ -43,6 +43,8 @@ struct BlockSide {
 /// Sides counter-clockwise, head to tail.
 struct Block {
   std::array<BlockSide, 4> sides;
+  /// Sides 0 and 2 may carry counts that differ by an even number; the count changes in the row along side 2.
+  bool graded = false;
 };
 
 struct BlockLayout {
@@ -65,7 +67,7 @@ class BlockLayoutBuilder {
   /// Along the loop from one boundary vertex to another, against the loop's direction where `backward`.
   Index add_boundary_edge(Index start, Index end, bool backward, int count = 0);
   /// Each side as the vertices it passes, first and last a corner, head to tail; the edges must exist.
-  void add_block(const std::array<std::vector<Index>, 4>& sides);
+  void add_block(const std::array<std::vector<Index>, 4>& sides, bool graded = false);
 
   Vec2 point_of(Index vertex) const { return layout_.vertices[vertex].point; }
   Vec2 point_at(BoundaryPosition position) const;

@@ -58,7 +58,7 @@ Result<void> assign_counts(BlockLayout& layout, const std::vector<double>& lengt
                            const ElementCountOptions& options) {
   Groups groups(layout.edges.size());
   for (const Block& block : layout.blocks)
-    for (int k = 0; k < 2; ++k)
+    for (int k = block.graded ? 1 : 0; k < 2; ++k)
       if (block.sides[k].edges.size() == 1 && block.sides[k + 2].edges.size() == 1)
         groups.join(block.sides[k].edges[0], block.sides[k + 2].edges[0]);
   std::vector<std::vector<Index>> members(layout.edges.size());
@@ -79,10 +79,12 @@ Result<void> assign_counts(BlockLayout& layout, const std::vector<double>& lengt
     for (Index e : group) layout.edges[e].count = count;
   }
   for (const Block& block : layout.blocks)
-    for (int k = 0; k < 2; ++k)
-      if (set_count(layout, block.sides[k]) != set_count(layout, block.sides[k + 2]))
+    for (int k = 0; k < 2; ++k) {
+      const int difference = set_count(layout, block.sides[k]) - set_count(layout, block.sides[k + 2]);
+      if (difference && !(block.graded && k == 0 && difference % 2 == 0))
         return fail("blocking.counts.unequal",
                     "opposite sides of a block carry different numbers of elements");
+    }
   return {};
 }
 

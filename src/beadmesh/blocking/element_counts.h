@@ -13,10 +13,10 @@ struct ElementCountOptions {
   double min_edge = 2.5;  ///< default 2.5 mm: no edge is given elements shorter than this
 };
 
-/// Counts of opposite sides are equal, so edges fall into groups; each free group takes the count that is
-/// nearest to length / size over all its edges and leaves no element under min_edge where that is possible.
-/// `lengths`: of every edge, on the surface. Fails with blocking.counts.* where counts that are set
-/// contradict each other.
+/// Counts of opposite sides are equal (but for the graded sides of a block), so edges fall into groups; each
+/// free group takes the count that is nearest to length / size over all its edges and leaves no element under
+/// min_edge where that is possible. `lengths`: of every edge, on the surface. Fails with blocking.counts.*
+/// where counts that are set contradict each other.
 Result<void> assign_counts(BlockLayout& layout, const std::vector<double>& lengths,
                            const ElementCountOptions& options);
 

@@ -188,23 +188,21 @@ class BeadMesher {
   Result<BeadMesh> annular() {
     AnnularBlockOptions blocks;
     blocks.prescribed = options_.prescribed;
-    double around = 0;
-    for (const SkeletonArm& arm : skeleton_.arms) around += length_of(arm);
+    blocks.elements_on_loop = elements_on_loops();
     if (const auto asked = options_.control.elements_along) {
       if (const auto fits = check_around(*asked); !fits) return tl::unexpected(fits.error());
+      blocks.elements_on_loop.assign(2, *asked);
     }
-    blocks.elements_around = options_.control.elements_along ? *options_.control.elements_along
-                             : options_.elements_around
-                                 ? options_.elements_around
-                                 : std::max(8, 2 * int(std::lround(around / options_.size / 2)));
     for (int m : counts_across()) {
       blocks.elements_across = across_ = m;
       if (attempt("blocks", [&] {
             return mesh_layout(blocks_of_annular_bead(crest_, study_.region, blocks), *study_.map, options_);
           }))
         return result();
-      if (best_) return result();
+      // Fewer elements across leave more room for graded rows.
+      if (best_ && best_->score >= fair_score) return result();
     }
+    if (best_) return result();
     return last_resort([&] {
       blocks.elements_across = 1;
       return blocks_of_annular_bead(crest_, study_.region, blocks);
@@ -251,6 +249,16 @@ class BeadMesher {
     std::vector<int> counts;
     for (int m = across(); m >= 2; m -= 2)
       if (m * options_.min_edge <= width_.least) counts.push_back(m);
+    return counts;
+  }
+
+  std::vector<int> elements_on_loops() const {
+    double axis = 0;
+    for (const SkeletonArm& arm : skeleton_.arms) axis += length_of(arm);
+    std::vector<int> counts = options_.elements_on_loop;
+    counts.resize(2);
+    for (int& count : counts)
+      if (!count) count = std::max(8, 2 * int(std::lround(axis / options_.size / 2)));
     return counts;
   }
 

@@ -11,9 +11,10 @@
 namespace beadmesh {
 
 struct BeadMesherOptions {
-  double size = 5;          ///< default 5 mm: target element length
-  double min_edge = 2.5;    ///< default 2.5 mm: minimum element length
-  int elements_around = 0;  ///< default 0: from the size; annular beads only, even
+  double size = 5;        ///< default 5 mm: target element length
+  double min_edge = 2.5;  ///< default 2.5 mm: minimum element length
+  /// Per loop: elements along it, even; empty or 0: from the size. Annular beads only.
+  std::vector<int> elements_on_loop;
   /// Per loop: arc lengths of nodes that an already meshed neighbour has set, ascending; empty: free.
   std::vector<std::vector<double>> prescribed;
   /// Method and counts that the user asks for; its lengths are those above.

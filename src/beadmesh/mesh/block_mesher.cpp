@@ -110,30 +110,84 @@ class BlockMapper {
     NodeRow top = row_of(block.sides[2]), left = row_of(block.sides[3]);
     std::reverse(top.begin(), top.end());
     std::reverse(left.begin(), left.end());
-    const size_t n = bottom.size(), m = left.size();
-    std::vector<NodeRow> grid(m);
-    grid.front() = bottom;
-    grid.back() = top;
-    for (size_t j = 1; j + 1 < m; ++j) {
-      grid[j].assign(n, no_index);
-      grid[j].front() = left[j];
-      grid[j].back() = right[j];
-      for (size_t i = 1; i + 1 < n; ++i)
-        grid[j][i] = add_node(blend(bottom, right, top, left, i, j), NodeFreedom::free);
+    const std::vector<Vec2> bottom_points = as_many_points(bottom, bottom.size()),
+                            top_points = as_many_points(top, bottom.size());
+    const size_t rows = left.size() - 1;
+    NodeRow row = bottom;
+    for (size_t j = 1; j < rows; ++j) {
+      NodeRow next = row_between(bottom_points, right, top_points, left, j);
+      join_equal(row, next);
+      row = std::move(next);
     }
-    for (size_t j = 0; j + 1 < m; ++j)
-      for (size_t i = 0; i + 1 < n; ++i)
-        out_.mesh.elements.push_back({grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]});
+    if (top.size() == row.size())
+      join_equal(row, top);
+    else if (top.size() > row.size())
+      join_graded(row, top, false);
+    else
+      join_graded(top, row, true);
   }
 
-  Vec2 blend(const NodeRow& bottom, const NodeRow& right, const NodeRow& top, const NodeRow& left, size_t i,
-             size_t j) const {
+  /// The points of a row of nodes, or as many as asked for, evenly spaced on the line through them.
+  std::vector<Vec2> as_many_points(const NodeRow& row, size_t count) const {
+    std::vector<Vec2> points;
+    for (Index n : row) points.push_back(out_.mesh.nodes[n]);
+    if (points.size() == count) return points;
+    const Polyline<Vec2> line(points);
+    points.clear();
+    for (size_t i = 0; i < count; ++i)
+      points.push_back(line.point_at(line.length() * double(i) / double(count - 1)));
+    return points;
+  }
+
+  void join_equal(const NodeRow& lower, const NodeRow& upper) {
+    for (size_t i = 0; i + 1 < lower.size(); ++i) add_quad(lower[i], lower[i + 1], upper[i + 1], upper[i]);
+  }
+
+  /// One row between lines of n and n + 2 t elements, t templates of k beside k + 2 elements: their middle
+  /// parts are two elements high. `turned`: the coarse line lies above the fine one.
+  void join_graded(const NodeRow& coarse, const NodeRow& fine, bool turned) {
+    const int n = int(coarse.size()) - 1, templates = (int(fine.size()) - 1 - n) / 2;
+    const double period = double(n) / templates;
+    const int width = std::max(1, int(period / 2));
+    const auto quad = [&](Index a, Index b, Index c, Index d) {
+      turned ? add_quad(d, c, b, a) : add_quad(a, b, c, d);
+    };
+    int c = 0, f = 0;
+    for (int t = 0; t <= templates; ++t) {
+      const int start = t < templates ? int((t + 0.5) * period - width / 2.0 + 0.5) : n;
+      for (; c < start; ++c, ++f) quad(coarse[c], coarse[c + 1], fine[f + 1], fine[f]);
+      if (t == templates) break;
+      NodeRow middle;
+      for (int i = 0; i <= width; ++i)
+        middle.push_back(add_node(lerp(out_.mesh.nodes[coarse[c + i]], out_.mesh.nodes[fine[f + 1 + i]], 0.5),
+                                  NodeFreedom::free));
+      quad(coarse[c], middle[0], fine[f + 1], fine[f]);
+      for (int i = 0; i < width; ++i) {
+        quad(coarse[c + i], coarse[c + i + 1], middle[i + 1], middle[i]);
+        quad(middle[i], middle[i + 1], fine[f + 2 + i], fine[f + 1 + i]);
+      }
+      c += width;
+      f += width + 2;
+      quad(middle[width], coarse[c], fine[f], fine[f - 1]);
+    }
+  }
+
+  void add_quad(Index a, Index b, Index c, Index d) { out_.mesh.elements.push_back({a, b, c, d}); }
+
+  /// Row j between bottom and top: its ends are those of the sides, its inner nodes are new.
+  NodeRow row_between(const std::vector<Vec2>& bottom, const NodeRow& right, const std::vector<Vec2>& top,
+                      const NodeRow& left, size_t j) {
     const auto& p = out_.mesh.nodes;
-    const double u = double(i) / double(bottom.size() - 1), v = double(j) / double(left.size() - 1);
-    const Vec2 across = lerp(p[left[j]], p[right[j]], u), along = lerp(p[bottom[i]], p[top[i]], v);
-    const Vec2 corners =
-        lerp(lerp(p[bottom.front()], p[bottom.back()], u), lerp(p[top.front()], p[top.back()], u), v);
-    return across + along - corners;
+    const double v = double(j) / double(left.size() - 1);
+    const Vec2 start = p[left[j]], end = p[right[j]];
+    NodeRow row{left[j]};
+    for (size_t i = 1; i + 1 < bottom.size(); ++i) {
+      const double u = double(i) / double(bottom.size() - 1);
+      const Vec2 corners = lerp(lerp(bottom.front(), bottom.back(), u), lerp(top.front(), top.back(), u), v);
+      row.push_back(add_node(lerp(start, end, u) + lerp(bottom[i], top[i], v) - corners, NodeFreedom::free));
+    }
+    row.push_back(right[j]);
+    return row;
   }
 
   /// Ridge edges joined over the vertices where just two of them meet.

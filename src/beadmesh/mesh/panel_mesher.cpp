@@ -11,6 +11,7 @@
 #include "beadmesh/mesh/chain_nodes.h"
 #include "beadmesh/mesh/controlled_bead.h"
 #include "beadmesh/mesh/face_mesher.h"
+#include "beadmesh/mesh/ring_counts.h"
 #include "beadmesh/panel/chain.h"
 
 namespace beadmesh {
@@ -69,22 +70,20 @@ class PanelMesher {
   /// Beads that share a chain are done one after the other, in the order of their numbers; groups in
   /// parallel.
   void mesh_beads() {
+    count_rings();
     const auto groups = bead_groups();
-    for (const auto& group : groups) share_elements_around(group);
     std::vector<std::optional<BeadMesh>> meshes(out_.meshing.size());
     std::vector<size_t> single, shared;
     for (size_t g = 0; g < groups.size(); ++g) (groups[g].size() == 1 ? single : shared).push_back(g);
     tbb::parallel_for(size_t(0), single.size(), [&](size_t i) {
       const Index b = groups[single[i]][0];
-      meshes[b] = attempt_bead(b, elements_around(groups[single[i]]));
+      meshes[b] = attempt_bead(b);
     });
     for (Index b = 0; b < Index(meshes.size()); ++b)
       if (meshes[b]) accept(b, std::move(*meshes[b]));
-    for (size_t g : shared) {
-      const int around = elements_around(groups[g]);
+    for (size_t g : shared)
       for (Index b : groups[g])
-        if (auto mesh = attempt_bead(b, around)) accept(b, std::move(*mesh));
-    }
+        if (auto mesh = attempt_bead(b)) accept(b, std::move(*mesh));
   }
 
   std::vector<std::vector<Index>> bead_groups() const {
@@ -108,34 +107,23 @@ class PanelMesher {
     return groups;
   }
 
-  /// Rings that share loops share the number of elements around: what is asked of one is asked of all.
-  void share_elements_around(const std::vector<Index>& group) {
-    for (const Index asked : group)
-      if (const auto along = controls_[asked].elements_along; along && group.size() > 1) {
-        for (const Index b : group) controls_[b].elements_along = along;
-        return;
-      }
-  }
-
-  /// Rings that share loops share the number of elements around: near the size on the mean, and on the
-  /// shortest loop long enough that an island inside it can be meshed in rows.
-  int elements_around(const std::vector<Index>& beads) const {
-    double shortest = 1e300, sum = 0, size = 1e300, min_edge = options_.min_edge;
-    int loops = 0;
-    for (Index b : beads) {
-      size = std::min(size, out_.meshing[b].size);
-      min_edge = std::max(min_edge, out_.meshing[b].min_edge);
-      for (const auto& loop : chains_.loops[face_of(b)]) {
-        double length = 0;
-        for (const ChainUse& use : loop) length += chains_.chains[use.chain].length();
-        shortest = std::min(shortest, length);
-        sum += length;
-        ++loops;
-      }
+  /// Elements along all loops of all rings, before any of them is meshed.
+  void count_rings() {
+    std::vector<RingBetween> rings;
+    for (Index b = 0; b < Index(out_.meshing.size()); ++b) {
+      const auto& loops = chains_.loops[face_of(b)];
+      const Bead& bead = studied_.table.beads[b];
+      if (bead.kind != BeadKind::annular || loops.size() != 2 || !boundary_is_closed_chains(face_of(b)))
+        continue;
+      rings.push_back({{loops[0][0].chain, loops[1][0].chain},
+                       bead.width,
+                       out_.meshing[b].size,
+                       out_.meshing[b].min_edge,
+                       controls_[b].elements_along.value_or(0)});
     }
-    const int wanted = int(std::lround(sum / loops / size));
-    const int most = int(shortest / (1.45 * min_edge));
-    return std::max(8, std::min(wanted, most) / 2 * 2);
+    std::vector<double> lengths;
+    for (const Chain& chain : chains_.chains) lengths.push_back(chain.length());
+    ring_counts_ = counts_of_rings(rings, lengths);
   }
 
   Index face_of(Index bead) const { return studied_.table.beads[bead].faces[0]; }
@@ -149,7 +137,7 @@ class PanelMesher {
     return true;
   }
 
-  std::optional<BeadMesh> attempt_bead(Index b, int around) {
+  std::optional<BeadMesh> attempt_bead(Index b) {
     if (context_.is_cancelled()) return std::nullopt;
     const Index face = face_of(b);
     BeadMeshing& meshing = out_.meshing[b];
@@ -159,8 +147,9 @@ class PanelMesher {
       return std::nullopt;
     }
     const FaceStudy& study = *studied_.studies[face];
-    BeadMesherOptions options{meshing.size, meshing.min_edge * min_edge_margin, around, {}, controls_[b]};
+    BeadMesherOptions options{meshing.size, meshing.min_edge * min_edge_margin, {}, {}, controls_[b]};
     for (Index l = 0; l < Index(study.region.loops.size()); ++l) {
+      options.elements_on_loop.push_back(ring_counts_[chains_.loops[face][l][0].chain]);
       options.prescribed.emplace_back();
       for (const LoopNode& node : nodes_.nodes_of_loop(face, l, study.region))
         options.prescribed.back().push_back(node.position);
@@ -391,6 +380,7 @@ class PanelMesher {
   SizeField field_;
   ChainSet chains_;
   ChainNodes nodes_;
+  std::vector<int> ring_counts_;  ///< per chain: elements along loops of rings, 0 for others
   std::vector<std::optional<FaceMesh>> face_meshes_;
   std::vector<Index> bead_of_face_;
   PanelMesh out_;
