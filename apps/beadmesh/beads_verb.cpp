@@ -15,8 +15,9 @@ namespace beadmesh::app {
 Result<int> run_beads(const Options& options) {
   ProgressBar bar;
   const Context context = bar.context(options.settings.jobs);
-  const auto panel = read_panel(options.input, options.settings.read, context);
+  auto panel = read_panel(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
+  panel = compose_faces(*panel, options.settings.beads, context);
   const BeadTable table = recognise_beads(*panel, options.settings.beads, context);
   bar.clear();
 

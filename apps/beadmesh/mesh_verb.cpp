@@ -79,8 +79,9 @@ Result<int> run_mesh(const Options& options) {
   const MeshSizes& sizes = options.settings.sizes;
   ProgressBar bar;
   const Context context = bar.context(options.settings.jobs);
-  const auto panel = read_panel(options.input, options.settings.read, context);
+  auto panel = read_panel(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
+  panel = compose_faces(*panel, options.settings.beads, context);
   if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());
   auto mesh = mesh_panel(*panel, sizes, options.settings.beads, context);
   if (!mesh) return tl::make_unexpected(mesh.error());

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "beadmesh/bead/composite_faces.h"
 #include "beadmesh/bead/face_study.h"
 #include "beadmesh/mesh/panel_mesher.h"
 
@@ -162,6 +163,12 @@ class JobLimit {
 };
 
 }  // namespace
+
+Panel compose_faces(const Panel& panel, const BeadOptions& options, const Context& context) {
+  CompositeOptions composite;
+  composite.bead = options;
+  return with_merged_faces(panel, composite_faces(panel, composite, context));
+}
 
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options, const Context& context) {
   const JobLimit limit(context.jobs);

@@ -1,4 +1,4 @@
-// THE flow, in the order of the paper: read, flatten, medial object, recognise, block, mesh.
+// THE flow, in the order of the paper: read, compose, flatten, medial object, recognise, block, mesh.
 #pragma once
 
 #include <filesystem>
@@ -25,6 +25,10 @@ struct MeshSizes {
   BeadControls beads = {};  ///< what is asked of single beads and kinds
   std::vector<LocalSize> local = {};
 };
+
+/// Beads that the CAD system has split into many faces become one face each (bead/composite_faces.h). First
+/// stage after reading; what the others are given is its panel.
+Panel compose_faces(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});
 
 /// Sections 3 and 4.1: every face that is a bead, with its medial object. Never fails for a single face.
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});

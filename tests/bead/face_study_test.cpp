@@ -107,7 +107,7 @@ Panel tube() {
       facets.triangles.push_back({a, b, d});
       facets.triangles.push_back({a, d, c});
     }
-  facets.triangle_face.assign(facets.triangles.size(), 0);
+  facets.triangle_surface.assign(facets.triangles.size(), 0);
   std::vector<Index>& loop = facets.loops.emplace_back();
   for (Index i = 0; i < columns; ++i) loop.push_back(i);
   for (Index j = 0; j < rows; ++j) loop.push_back(j * (columns + 1) + columns);

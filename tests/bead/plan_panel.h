@@ -202,9 +202,8 @@ class PlanPanel {
     facets.triangles = triangulation->triangles;
     for (const Triangle& t : facets.triangles)
       facets.triangle_uv.push_back({plan[t[0]], plan[t[1]], plan[t[2]]});
-    facets.triangle_face.assign(facets.triangles.size(), index);
-    facets.surfaces.assign(static_cast<std::size_t>(index) + 1, nullptr);
-    facets.surfaces.back() = std::make_shared<LiftedSurface>(lift);
+    facets.triangle_surface.assign(facets.triangles.size(), 0);
+    facets.surfaces = {std::make_shared<LiftedSurface>(lift)};
   }
 
   Base base_;

@@ -31,7 +31,7 @@ Facets revolved(Index columns, Index rows, const std::function<Vec2(double)>& pr
       facets.triangles.push_back({a, b, d});
       facets.triangles.push_back({a, d, c});
     }
-  facets.triangle_face.assign(facets.triangles.size(), 0);
+  facets.triangle_surface.assign(facets.triangles.size(), 0);
   facets.surfaces.assign(1, nullptr);
   find_loops(facets);
   return facets;
@@ -92,7 +92,7 @@ Vec2 extent(const std::vector<Vec2>& points) {
 void expect_sound(const OpenedFace& face) {
   EXPECT_EQ(face.flat.positions.size(), face.facets.points.size());
   EXPECT_EQ(face.facets.panel_points.size(), face.facets.points.size());
-  EXPECT_EQ(face.facets.triangle_face.size(), face.facets.triangles.size());
+  EXPECT_EQ(face.facets.triangle_surface.size(), face.facets.triangles.size());
   const auto again = flatten(face.facets);
   EXPECT_TRUE(again) << "the opened facets are sound facets";
   if (face.cut_sides.empty()) return;

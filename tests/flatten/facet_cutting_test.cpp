@@ -66,7 +66,7 @@ TEST(FacetCutting, ParametersComeAlong) {
       const Vec3 p = piece.facets.points[piece.facets.triangles[t][k]];
       EXPECT_NEAR(distance(piece.facets.triangle_uv[t][k], {p.x, p.y}), 0, 1e-9);
     }
-  EXPECT_EQ(piece.facets.triangle_face.size(), piece.facets.triangles.size());
+  EXPECT_EQ(piece.facets.triangle_surface.size(), piece.facets.triangles.size());
 }
 
 TEST(FacetCutting, SewingUndoesACut) {

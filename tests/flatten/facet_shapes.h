@@ -56,7 +56,7 @@ inline Facets finished(Facets facets) {
     }
   facets.points = points;
   facets.panel_points.assign(points.size(), 0);
-  facets.triangle_face.assign(facets.triangles.size(), 0);
+  facets.triangle_surface.assign(facets.triangles.size(), 0);
   facets.surfaces.assign(1, nullptr);
   find_loops(facets);
   return facets;

@@ -26,7 +26,7 @@ struct HalfCylinder {
       facets.triangles.push_back({i, i + 2, i + 1});
       facets.triangles.push_back({i + 1, i + 2, i + 3});
     }
-    facets.triangle_face.assign(facets.triangles.size(), 0);
+    facets.triangle_surface.assign(facets.triangles.size(), 0);
     SkeletonArm arm;
     for (double y = 5; y <= 45; y += 5) {
       MedialPoint p;

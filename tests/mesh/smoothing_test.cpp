@@ -128,7 +128,7 @@ TEST(Smoothing, MeasuresOnTheSurface) {
     facets.points.push_back({p.x, p.y, std::sqrt(3.0) * p.x});
   }
   facets.triangles = {{0, 1, 2}, {0, 2, 3}};
-  facets.triangle_face = {0, 0};
+  facets.triangle_surface = {0, 0};
   facets.loops = {{0, 1, 2, 3}};
   const SurfaceMap map(facets, flat);
   PlanarMesh mesh = sample::grid(10, 10, 1.5);
@@ -157,7 +157,7 @@ TEST(Smoothing, SurfacePassesBringElementsNearer) {
   };
   add_row(-1, 0), add_row(18, 0), add_row(41, 11.5);
   facets.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
-  facets.triangle_face = {0, 0, 0, 0};
+  facets.triangle_surface = {0, 0, 0, 0};
   const SurfaceMap map(facets, flat);
   SmoothingOptions options;
   PlanarMesh plain = sample::grid(8, 8, 5.0), fitted = plain;

@@ -16,7 +16,7 @@ inline void add_face(Panel& panel, const std::vector<Triangle>& triangles,
   const Index id = static_cast<Index>(panel.faces.size());
   PanelFace face;
   face.facets = facets_of_triangles(panel.points, triangles);
-  face.facets.triangle_face.assign(triangles.size(), id);
+  face.facets.triangle_surface.assign(triangles.size(), 0);
   face.number = id + 1;
   face.facets.loops.clear();
   for (const std::vector<EdgeUse>& loop : loops) {

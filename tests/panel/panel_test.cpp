@@ -27,7 +27,7 @@ TEST(VerifyPanel, FindsWhatIsBroken) {
       [](Panel& p) { std::swap(p.faces[0].facets.triangles[0][1], p.faces[0].facets.triangles[0][2]); }));
   EXPECT_TRUE(breaks([](Panel& p) { std::swap(p.faces[0].loops[0][0], p.faces[0].loops[0][1]); }));
   EXPECT_TRUE(breaks([](Panel& p) { p.points[0].x += 1; }));
-  EXPECT_TRUE(breaks([](Panel& p) { p.faces[1].facets.triangle_face[0] = 0; }));
+  EXPECT_TRUE(breaks([](Panel& p) { p.faces[1].facets.triangle_surface[0] = 1; }));
 }
 
 TEST(VerifyPanel, FindsFacesThatDisagreeInOrientation) {
@@ -50,7 +50,7 @@ TEST(FacetsOf, TwoSquaresAreOnePieceWithOneLoop) {
   EXPECT_EQ(joined.points.size(), 6u);
   ASSERT_EQ(joined.loops.size(), 1u);
   EXPECT_EQ(joined.loops[0].size(), 6u);
-  EXPECT_EQ(joined.triangle_face, (std::vector<Index>{0, 0, 1, 1}));
+  EXPECT_EQ(joined.triangle_surface, (std::vector<Index>{0, 0, 1, 1}));
 }
 
 TEST(FacetsOf, DiscAndRingAreADisc) {

@@ -174,7 +174,7 @@ TEST(ReadPanel, LocationsAreApplied) {
   const Panel panel = read_back(test::two_places(), "two.brep");
   ASSERT_EQ(panel.faces.size(), 2u);
   EXPECT_NEAR(diagonal(panel), std::hypot(200, 60), 1e-9);
-  EXPECT_NEAR(panel.faces[1].facets.surfaces[1]->point({0, 0}).x, 100, 1e-9);
+  EXPECT_NEAR(panel.faces[1].facets.surfaces[0]->point({0, 0}).x, 100, 1e-9);
 }
 
 TEST(ReadPanel, UnitsOfTheFileBecomeMillimetres) {

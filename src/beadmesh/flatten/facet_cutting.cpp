@@ -43,7 +43,7 @@ CutFacets traced(const Facets& all, const std::vector<Index>& origin) {
     p = all.panel_points[p];
   }
   result.facets.triangle_uv = all.triangle_uv;
-  result.facets.triangle_face = all.triangle_face;
+  result.facets.triangle_surface = all.triangle_surface;
   result.facets.surfaces = all.surfaces;
   return result;
 }
@@ -55,7 +55,7 @@ class Cutter {
   /// Nothing where the way crosses a triangle twice.
   bool run(CutFacets& result) {
     work_ = piece_.facets;
-    work_.triangles.clear(), work_.triangle_uv.clear(), work_.triangle_face.clear();
+    work_.triangles.clear(), work_.triangle_uv.clear(), work_.triangle_surface.clear();
     origin_ = piece_.origin;
     add_points();
     if (!collect_crossings()) return false;
@@ -160,7 +160,8 @@ class Cutter {
   void add_part(Index t, const Corner& a, const Corner& b, const Corner& c) {
     work_.triangles.push_back({a.vertex, b.vertex, c.vertex});
     if (!piece_.facets.triangle_uv.empty()) work_.triangle_uv.push_back({a.uv, b.uv, c.uv});
-    if (!piece_.facets.triangle_face.empty()) work_.triangle_face.push_back(piece_.facets.triangle_face[t]);
+    if (!piece_.facets.triangle_surface.empty())
+      work_.triangle_surface.push_back(piece_.facets.triangle_surface[t]);
   }
 
   /// Corners of triangles that meet over a side that is not cut are one vertex; nothing else is.

@@ -6,12 +6,14 @@
 #include "beadmesh/flatten/flat_face.h"
 #include "beadmesh/flatten/triangle_geometry.h"
 #include "beadmesh/flatten/triangle_topology.h"
+#include "beadmesh/geometry/segment_search.h"
 
 namespace beadmesh {
 namespace {
 
 constexpr int max_walk = 64;          // a longer walk costs more than the grid
 constexpr double edge_slack = 1e-12;  // barycentric; a point on an edge belongs to either side
+constexpr double crack_slack = 1e-6;  // the same, for a point that rounding has put between two triangles
 constexpr double degenerate = 1e-12;  // doubled area over squared longest edge
 
 /// Area-weighted normals of the vertices.
@@ -49,6 +51,8 @@ struct SurfaceMap::Grid {
   const Facets& facets;
   const std::vector<Vec2>& flat;
   TriangleNeighbours neighbours;
+  std::vector<std::pair<Index, int>> boundary_sides;  ///< (triangle, side)
+  SegmentSearch boundary;                             ///< over boundary_sides
   std::vector<Vec3> normals;
   Vec2 low;
   double cell = 1;
@@ -59,6 +63,8 @@ struct SurfaceMap::Grid {
       : facets(of),
         flat(positions),
         neighbours(triangle_neighbours(of.triangles)),
+        boundary_sides(sides_without_neighbour(neighbours)),
+        boundary(boundary_segments()),
         normals(vertex_normals(of)) {
     lay_out();
     fill();
@@ -137,10 +143,10 @@ struct SurfaceMap::Grid {
   }
 
   /// Does t hold p? Fills `at`.
-  bool holds(Index t, Vec2 p, FacetPoint& at) const {
+  bool holds(Index t, Vec2 p, double slack, FacetPoint& at) const {
     std::array<double, 3> weight;
     const double area = scaled_weights(t, p, weight);
-    if (area <= 0 || std::min({weight[0], weight[1], weight[2]}) < -edge_slack * area) return false;
+    if (area <= 0 || std::min({weight[0], weight[1], weight[2]}) < -slack * area) return false;
     at = clamped(t, weight);
     return true;
   }
@@ -169,44 +175,38 @@ struct SurfaceMap::Grid {
     return false;
   }
 
+  /// Outside, the nearest point lies on the boundary.
   FacetPoint search(Vec2 p) const {
     FacetPoint at;
-    const Index column = column_of(p.x), row = row_of(p.y), home = row * columns + column;
+    const Index home = row_of(p.y) * columns + column_of(p.x);
     for (Index i = begin[home]; i < begin[home + 1]; ++i)
-      if (holds(items[i], p, at)) return at;
-    return nearest(p, column, row);
+      if (holds(items[i], p, edge_slack, at)) return at;
+    for (Index i = begin[home]; i < begin[home + 1]; ++i)
+      if (holds(items[i], p, crack_slack, at)) return at;
+    const NearestOnSegments near = boundary.nearest(p);
+    if (near.segment == no_index) return at;
+    const auto [t, k] = boundary_sides[near.segment];
+    std::array<double, 3> weight{0, 0, 0};
+    weight[k] = 1 - near.t;
+    weight[(k + 1) % 3] = near.t;
+    return facet_point_of(t, weight);
   }
 
-  /// Nearest triangle, in growing square rings of cells about the cell nearest to p.
-  FacetPoint nearest(Vec2 p, Index column, Index row) const {
-    FacetPoint best;
-    double least = std::numeric_limits<double>::infinity();
-    const Vec2 inside{std::clamp(p.x, low.x, low.x + columns * cell),
-                      std::clamp(p.y, low.y, low.y + rows * cell)};
-    const double gap = distance(p, inside);  // the cells are at least this far
-    const Index last = std::max(columns, rows);
-    for (Index ring = 0; ring <= last; ++ring) {
-      if (ring > 0 && best.triangle != no_index && least <= gap * gap + squared((ring - 1) * cell)) break;
-      for (Index r = std::max(0, row - ring); r <= std::min(rows - 1, row + ring); ++r) {
-        const bool whole = r == row - ring || r == row + ring;
-        for (Index c = column - ring; c <= column + ring; c += whole || ring == 0 ? 1 : 2 * ring)
-          if (c >= 0 && c < columns) nearest_in_cell(r * columns + c, p, best, least);
-      }
-    }
-    return best;
+  static std::vector<std::pair<Index, int>> sides_without_neighbour(const TriangleNeighbours& neighbours) {
+    std::vector<std::pair<Index, int>> sides;
+    for (Index t = 0; t < static_cast<Index>(neighbours.size()); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (neighbours[t][k] == no_index) sides.push_back({t, k});
+    return sides;
   }
 
-  void nearest_in_cell(Index i, Vec2 p, FacetPoint& best, double& least) const {
-    for (Index k = begin[i]; k < begin[i + 1]; ++k) {
-      const Index t = items[k];
-      const auto [a, b, c] = corners(t);
-      const FacetPoint at = facet_point_of(t, nearest_weights(a, b, c, p));
-      const double squared = squared_norm(blend(a, b, c, at) - p);
-      if (squared < least || (squared == least && t < best.triangle)) {
-        least = squared;
-        best = at;
-      }
+  std::vector<std::array<Vec2, 2>> boundary_segments() const {
+    std::vector<std::array<Vec2, 2>> segments;
+    for (const auto& [t, k] : boundary_sides) {
+      const Triangle& v = facets.triangles[t];
+      segments.push_back({flat[v[k]], flat[v[(k + 1) % 3]]});
     }
+    return segments;
   }
 };
 
@@ -264,9 +264,9 @@ double SurfaceMap::stretch(const FacetPoint& at, Vec2 direction) const {
 
 const SurfaceEvaluator* SurfaceMap::surface_of(Index triangle) const {
   if (triangle >= static_cast<Index>(facets_->triangle_uv.size()) ||
-      triangle >= static_cast<Index>(facets_->triangle_face.size()))
+      triangle >= static_cast<Index>(facets_->triangle_surface.size()))
     return nullptr;
-  const Index face = facets_->triangle_face[triangle];
+  const Index face = facets_->triangle_surface[triangle];
   if (face < 0 || face >= static_cast<Index>(facets_->surfaces.size())) return nullptr;
   return facets_->surfaces[face].get();
 }

@@ -24,10 +24,10 @@ struct Facets {
   std::vector<Index> panel_points;               ///< per local vertex its index in Panel::points
   std::vector<Triangle> triangles;               ///< local vertices, counter-clockwise about the normal
   std::vector<std::array<Vec2, 3>> triangle_uv;  ///< surface parameters of the corners; empty: facets only
-  std::vector<Index> triangle_face;              ///< index in Panel::faces
+  std::vector<Index> triangle_surface;           ///< per triangle, index in `surfaces`
   std::vector<std::vector<Index>>
       loops;  ///< closed, first vertex not repeated, face on the left; outer first
-  std::vector<std::shared_ptr<const SurfaceEvaluator>> surfaces;  ///< per index in Panel::faces; null: none
+  std::vector<std::shared_ptr<const SurfaceEvaluator>> surfaces;  ///< one for each face joined; null: none
 };
 
 /// Triangles on shared points (indices into `points`, which become panel_points) as facets of their own:

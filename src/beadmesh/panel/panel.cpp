@@ -24,16 +24,29 @@ Facets facets_of(const Panel& panel, const std::vector<Index>& faces) {
       triangles.push_back({facets.panel_points[t[0]], facets.panel_points[t[1]], facets.panel_points[t[2]]});
     has_uv = has_uv && facets.triangle_uv.size() == facets.triangles.size();
     append(facets.triangle_uv, sum.triangle_uv);
-    append(facets.triangle_face, sum.triangle_face);
-    if (sum.surfaces.size() < facets.surfaces.size()) sum.surfaces.resize(facets.surfaces.size());
-    for (std::size_t i = 0; i < facets.surfaces.size(); ++i)
-      if (facets.surfaces[i]) sum.surfaces[i] = facets.surfaces[i];
+    const Index first = static_cast<Index>(sum.surfaces.size());
+    for (const Index surface : facets.triangle_surface) sum.triangle_surface.push_back(first + surface);
+    append(facets.surfaces, sum.surfaces);
+    if (facets.surfaces.empty()) sum.surfaces.push_back(nullptr);
   }
   Facets joined = facets_of_triangles(panel.points, triangles);
   if (has_uv) joined.triangle_uv = std::move(sum.triangle_uv);
-  joined.triangle_face = std::move(sum.triangle_face);
+  joined.triangle_surface = std::move(sum.triangle_surface);
   joined.surfaces = std::move(sum.surfaces);
   return joined;
+}
+
+std::vector<Index> input_numbers(const Panel& panel, const std::vector<Index>& faces) {
+  std::vector<Index> numbers;
+  for (const Index f : faces) {
+    const PanelFace& face = panel.faces.at(f);
+    if (face.numbers.empty())
+      numbers.push_back(face.number);
+    else
+      append(face.numbers, numbers);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
 }
 
 double diagonal(const Panel& panel) {

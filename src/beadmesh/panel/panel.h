@@ -39,9 +39,10 @@ struct EdgeUse {
 
 struct PanelFace {
   std::vector<std::vector<EdgeUse>> loops;  ///< head to tail, face on the left; the outer loop first
-  Facets facets;     ///< of this face alone: facets.loops[i] runs through the points of loops[i]
-  Index number = 0;  ///< 1-based, in the order of the input file
-  std::string name;  ///< from the file; may be empty
+  Facets facets;               ///< of this face alone: facets.loops[i] runs through the points of loops[i]
+  Index number = 0;            ///< 1-based, in the order of the input file; of a composite face its first
+  std::vector<Index> numbers;  ///< of a composite face those of all its faces, ascending; else empty
+  std::string name;            ///< from the file; may be empty
 };
 
 /// All lengths in mm. Orientation of the faces is consistent across shared edges of each connected piece.
@@ -58,6 +59,14 @@ struct Panel {
 /// only one side in `faces`. A seam of a closed face stays a pair of boundary stretches only in the face's
 /// own facets.
 Facets facets_of(const Panel& panel, const std::vector<Index>& faces);
+
+/// The panel with each group of faces (indices, connected, no face in two) as one face, in the place of the
+/// group's first; edges inside a group are gone. Faces without a group stay as they are. A group whose facets
+/// do not join to one piece with loops along its edges is left apart.
+Panel with_merged_faces(const Panel& panel, const std::vector<std::vector<Index>>& groups);
+
+/// Numbers of the input's faces that these faces (indices) are made of, ascending.
+std::vector<Index> input_numbers(const Panel& panel, const std::vector<Index>& faces);
 
 /// Checks every invariant stated above. Returns the violations, in words; empty where all hold.
 std::vector<std::string> verify_panel(const Panel& panel);

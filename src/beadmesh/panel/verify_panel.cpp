@@ -67,12 +67,13 @@ class PanelChecker {
     const std::size_t before = violations_.size();
     if (facets.triangles.empty()) report(name + " has no triangles");
     if (facets.points.size() != facets.panel_points.size()) report(name + ": points and panel_points differ");
-    if (facets.triangle_face.size() != facets.triangles.size())
-      report(name + ": triangle_face is incomplete");
+    if (facets.triangle_surface.size() != facets.triangles.size())
+      report(name + ": triangle_surface is incomplete");
     if (!facets.triangle_uv.empty() && facets.triangle_uv.size() != facets.triangles.size())
       report(name + ": triangle_uv is incomplete");
-    for (const Index other : facets.triangle_face)
-      if (other != f) return report(name + ": triangle_face names another face"), false;
+    for (const Index surface : facets.triangle_surface)
+      if (surface != 0 && !is_index(surface, facets.surfaces))
+        return report(name + ": triangle_surface names no surface"), false;
     for (const Triangle& t : facets.triangles)
       for (const Index v : t)
         if (!is_index(v, facets.points)) return report(name + ": a triangle names no vertex"), false;

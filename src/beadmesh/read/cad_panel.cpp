@@ -83,10 +83,9 @@ class PanelAssembler {
     drop_unused_points();
     const std::vector<bool> turned = orient_faces(panel_);
     for (std::size_t f = 0; f < panel_.faces.size(); ++f) {
-      std::vector<std::shared_ptr<const SurfaceEvaluator>>& surfaces = panel_.faces[f].facets.surfaces;
-      surfaces.resize(f + 1);
       const Index source = panel_.faces[f].number - 1;
-      surfaces[f] = surface_of(topology_.faces[source].surface, turned[f] != is_reversed(source));
+      panel_.faces[f].facets.surfaces = {
+          surface_of(topology_.faces[source].surface, turned[f] != is_reversed(source))};
     }
     return std::move(panel_);
   }
@@ -213,7 +212,7 @@ class PanelAssembler {
     face.number = static_cast<Index>(f) + 1;
     face.name = model_.names[f];
     const Index id = static_cast<Index>(panel_.faces.size());
-    face.facets.triangle_face.assign(face.facets.triangles.size(), id);
+    face.facets.triangle_surface.assign(face.facets.triangles.size(), 0);
     for (std::vector<EdgeUse>& loop : face.loops)
       for (EdgeUse& use : loop) {
         use.edge = panel_edge(use.edge);

@@ -227,7 +227,7 @@ class SkinBuilder {
     face.facets = facets_of_triangles(panel_.points, triangles);
     const Index id = static_cast<Index>(panel_.faces.size());
     face.number = id + 1;
-    face.facets.triangle_face.assign(triangles.size(), id);
+    face.facets.triangle_surface.assign(triangles.size(), 0);
     for (std::vector<Index>& loop : face.facets.loops) face.loops.push_back(edges_of(loop, face.facets, id));
     panel_.faces.push_back(std::move(face));
   }

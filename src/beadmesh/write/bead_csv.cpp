@@ -14,8 +14,8 @@ std::string quoted(const std::string& text) {
 
 std::string faces_of(const Panel& panel, const Bead& bead) {
   std::string text;
-  for (const Index face : bead.faces)
-    text += fmt::format("{}{}", text.empty() ? "" : " ", panel.faces.at(face).number);
+  for (const Index number : input_numbers(panel, bead.faces))
+    text += fmt::format("{}{}", text.empty() ? "" : " ", number);
   return text;
 }
 

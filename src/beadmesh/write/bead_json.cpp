@@ -10,7 +10,7 @@ using json::Value;
 
 Value faces_of(const Panel& panel, const Bead& bead) {
   Value list = Value::array();
-  for (const Index face : bead.faces) list.push_back(panel.faces.at(face).number);
+  for (const Index number : input_numbers(panel, bead.faces)) list.push_back(number);
   return list;
 }
 

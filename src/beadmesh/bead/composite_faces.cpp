@@ -1,0 +1,231 @@
+#include "beadmesh/bead/composite_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "beadmesh/bead/continued_sheet.h"
+#include "beadmesh/bead/face_study.h"
+
+namespace beadmesh {
+namespace {
+
+using FaceList = std::vector<Index>;
+
+/// Mean unit normal of the face at a panel point; zero where the point is not on it.
+Vec3 normal_at(const Facets& facets, Index panel_point) {
+  Vec3 sum;
+  for (Index t = 0; t < Index(facets.triangles.size()); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (facets.panel_points[facets.triangles[t][k]] == panel_point) sum += corner_normal(facets, t, k);
+  return squared_norm(sum) > 0 ? normalized(sum) : sum;
+}
+
+class CompositeFinder {
+ public:
+  CompositeFinder(const Panel& panel, const CompositeOptions& options, const Context& context)
+      : panel_(panel), options_(options), context_(context), settled_(panel.faces.size(), false) {
+    for (const PanelFace& face : panel.faces) areas_.push_back(area(face.facets));
+  }
+
+  std::vector<FaceList> run() {
+    FaceList order(panel_.faces.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return areas_[a] > areas_[b]; });
+    for (const Index f : order)
+      if (!settled_[f] && !context_.is_cancelled()) search_inside(f);
+    for (FaceList& group : groups_) std::sort(group.begin(), group.end());
+    std::sort(groups_.begin(), groups_.end());
+    return std::move(groups_);
+  }
+
+ private:
+  /// What lies inside the inner loops of a face that counts as sheet.
+  void search_inside(Index host) {
+    settled_[host] = true;
+    for (size_t l = 1; l < panel_.faces[host].loops.size(); ++l) {
+      const FaceList inside = enclosed(host, l);
+      if (inside.empty()) continue;
+      for (const Index f : inside) settled_[f] = true;
+      search_feature(host, l, inside);
+    }
+  }
+
+  void search_feature(Index host, size_t loop, const FaceList& inside) {
+    const ContinuedSheet sheet(panel_.faces[host].facets, loop);
+    const double low = options_.level_height * height_of(sheet, inside);
+    FaceList level = level_faces(sheet, inside, low);
+    FaceList feature = reachable(host, loop, level);
+    if (!feature.empty()) {
+      // Small level faces at the very foot are part of the feature.
+      const auto at_foot =
+          std::partition(level.begin(), level.end(), [&](Index f) { return !touches(f, {host}); });
+      level.erase(at_foot, level.end());
+      feature = reachable(host, loop, level);
+    }
+    if (feature.empty() || !is_smooth(feature))
+      search_inside_largest(feature);
+    else if (has_own_bead(feature, sheet, low))
+      for (const Index f : feature) search_inside(f);
+    else
+      decide(feature);
+    for (const Index f : level)
+      if (touches(f, feature) || feature.empty()) search_inside(f);
+  }
+
+  void search_inside_largest(const FaceList& faces) {
+    if (!faces.empty()) search_inside(largest(faces));
+  }
+
+  double height_of(const ContinuedSheet& sheet, const FaceList& faces) const {
+    double height = 0;
+    for (const Index f : faces)
+      for (const Vec3 p : panel_.faces[f].facets.points) height = std::max(height, std::abs(sheet.height(p)));
+    return height;
+  }
+
+  /// A face that is a bead by itself and starts from the sheet on all its loops: rings that share loops.
+  bool has_own_bead(const FaceList& feature, const ContinuedSheet& sheet, double low) const {
+    return feature.size() > 1 && std::any_of(feature.begin(), feature.end(), [&](Index f) {
+             const Facets& facets = panel_.faces[f].facets;
+             for (const auto& loop : facets.loops)
+               for (const Index v : loop)
+                 if (std::abs(sheet.height(facets.points[v])) > low) return false;
+             return is_bead({f});
+           });
+  }
+
+  /// All faces behind a loop of a face; empty where they can be reached past that loop, or there is none.
+  FaceList enclosed(Index host, size_t loop) const {
+    const FaceList faces = reachable(host, loop, {});
+    std::vector<bool> in_loop(panel_.edges.size(), false);
+    for (const EdgeUse use : panel_.faces[host].loops[loop]) in_loop[use.edge] = true;
+    for (const Index f : faces)
+      for (const auto& of_face : panel_.faces[f].loops)
+        for (const EdgeUse use : of_face)
+          if (!in_loop[use.edge] && is_in(host, panel_.edges[use.edge].faces)) return {};
+    return faces;
+  }
+
+  /// Faces reached through a loop of `host` without passing through it or through `blocked`.
+  FaceList reachable(Index host, size_t loop, const FaceList& blocked) const {
+    std::vector<bool> seen(panel_.faces.size(), false);
+    seen[host] = true;
+    for (const Index f : blocked) seen[f] = true;
+    FaceList found;
+    const auto step_over = [&](const std::vector<EdgeUse>& uses) {
+      for (const EdgeUse use : uses)
+        for (const Index f : panel_.edges[use.edge].faces)
+          if (!seen[f]) seen[f] = true, found.push_back(f);
+    };
+    step_over(panel_.faces[host].loops[loop]);
+    for (size_t i = 0; i < found.size(); ++i)
+      for (const auto& of_face : panel_.faces[found[i]].loops) step_over(of_face);
+    return found;
+  }
+
+  /// Those of the faces that could be the sheet itself: as high, and leaning as much. All where nothing
+  /// rises.
+  FaceList level_faces(const ContinuedSheet& sheet, const FaceList& faces, double low) const {
+    if (low < options_.level_height * options_.min_height) return faces;
+    FaceList level;
+    for (const Index f : faces)
+      if (is_level(sheet, panel_.faces[f].facets, low)) level.push_back(f);
+    return level;
+  }
+
+  bool is_level(const ContinuedSheet& sheet, const Facets& facets, double height) const {
+    double sum = 0, lean = 0;
+    int corners = 0;
+    for (Index t = 0; t < Index(facets.triangles.size()); ++t)
+      for (int k = 0; k < 3; ++k, ++corners) {
+        const Vec3 p = facets.points[facets.triangles[t][k]];
+        sum += std::abs(sheet.height(p));
+        lean = std::max(lean, angle_between(sheet.normal(p), corner_normal(facets, t, k)));
+      }
+    return lean < options_.level_angle && sum < height * corners;
+  }
+
+  /// No sharp edge inside the group, nor between it and what lies around.
+  bool is_smooth(const FaceList& group) const {
+    for (const Index f : group)
+      for (const auto& loop : panel_.faces[f].loops)
+        for (const EdgeUse use : loop)
+          if (!is_smooth_edge(use.edge)) return false;
+    return !group.empty();
+  }
+
+  bool is_smooth_edge(Index e) const {
+    const PanelEdge& edge = panel_.edges[e];
+    if (edge.faces.size() == 1) return true;  // a hole
+    if (edge.faces.size() != 2) return false;
+    if (edge.faces[0] == edge.faces[1]) return true;  // a seam
+    const size_t n = edge.points.size();
+    for (const Index p : n > 2 ? FaceList{edge.points[n / 2]} : edge.points) {
+      const Vec3 a = normal_at(panel_.faces[edge.faces[0]].facets, p),
+                 b = normal_at(panel_.faces[edge.faces[1]].facets, p);
+      if (angle_between(a, b) > options_.feature_angle) return false;
+    }
+    return true;
+  }
+
+  /// One face of many, or none: a plateau's top may carry beads of its own.
+  void decide(FaceList feature) {
+    const Index top = largest(feature);
+    if (feature.size() == 1) return search_inside(top);
+    if (is_bead(feature)) return groups_.push_back(std::move(feature));
+    FaceList above;
+    for (size_t l = 1; l < panel_.faces[top].loops.size(); ++l) {
+      const FaceList inside = enclosed(top, l);
+      if (height_of(ContinuedSheet(panel_.faces[top].facets, l), inside) >= options_.min_height)
+        above.insert(above.end(), inside.begin(), inside.end());
+    }
+    search_inside(top);
+    feature.erase(std::remove_if(feature.begin(), feature.end(), [&](Index f) { return is_in(f, above); }),
+                  feature.end());
+    const bool has_bead = std::any_of(feature.begin(), feature.end(), [&](Index f) { return is_bead({f}); });
+    if (feature.size() > 1 && !has_bead && study_faces(panel_, feature))
+      groups_.push_back(std::move(feature));
+  }
+
+  bool is_bead(const FaceList& faces) const {
+    const auto study = study_faces(panel_, faces);
+    if (!study || !check_boundary(**study, options_.bead)) return false;
+    const auto medial = medial_object_of_bead((*study)->region);
+    return medial && recognise(**study, *medial, options_.bead);
+  }
+
+  Index largest(const FaceList& faces) const {
+    return *std::max_element(faces.begin(), faces.end(), [&](Index a, Index b) {
+      return areas_[a] != areas_[b] ? areas_[a] < areas_[b] : a > b;
+    });
+  }
+
+  bool touches(Index face, const FaceList& others) const {
+    for (const auto& loop : panel_.faces[face].loops)
+      for (const EdgeUse use : loop)
+        for (const Index f : panel_.edges[use.edge].faces)
+          if (is_in(f, others)) return true;
+    return false;
+  }
+
+  static bool is_in(Index f, const FaceList& faces) {
+    return std::find(faces.begin(), faces.end(), f) != faces.end();
+  }
+
+  const Panel& panel_;
+  CompositeOptions options_;
+  const Context& context_;
+  std::vector<bool> settled_;
+  std::vector<double> areas_;
+  std::vector<FaceList> groups_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Index>> composite_faces(const Panel& panel, const CompositeOptions& options,
+                                                const Context& context) {
+  return CompositeFinder(panel, options, context).run();
+}
+
+}  // namespace beadmesh
