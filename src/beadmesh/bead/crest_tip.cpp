@@ -13,6 +13,7 @@ constexpr double across_angle = radians(172);  ///< touching lines below it run 
 constexpr double window = 2.5;                 ///< how far behind the end is looked, in radii
 constexpr double shortest_window = 0.6;        ///< what must be seen of the arm, in radii
 constexpr double most_turn = 0.45;             ///< a parabola no longer follows what winds more
+constexpr double steep_wall = radians(55);     ///< a place in plan says little of the place on such a wall
 constexpr int pieces = 12;                     ///< of the crest from there to the tip
 
 /// Coordinates along and across the arm, in plan.
@@ -24,7 +25,12 @@ class CrestTipFinder {
  public:
   CrestTipFinder(const std::vector<MedialPoint>& arm, double radius, const PlanarRegion& region,
                  const SurfaceMap& map)
-      : arm_(arm), radius_(radius), region_(region), map_(map), frame_(&map, arm.front().point, up()) {}
+      : arm_(arm),
+        radius_(radius),
+        region_(region),
+        map_(map),
+        up_(up()),
+        frame_(&map, arm.front().point, up_) {}
 
   std::optional<CrestTip> run() {
     if (!look_behind()) return std::nullopt;
@@ -135,21 +141,37 @@ class CrestTipFinder {
     const size_t start = seen_.front();
     const double foot = frame_.height(arm_[start].point) - rise(start), tip_height = frame_.height(tip.point);
     const double reach = course_of(frame_.to_plan(tip.point)).along;
-    Vec2 guess = arm_[start].point;
+    Vec2 guess = arm_[start].point, last = guess;
     for (int k = 1; k < pieces; ++k) {
       const double share = double(k) / pieces, along = reach * share;
       for (int round = 0; round < 4; ++round) {
         const double h = frame_.height(guess) - (foot + (tip_height - foot) * share);
         guess = frame_.to_flat(plan_of({along, middle_aside(along) + lean_ * h}), guess);
       }
+      if (is_steep_between(last, guess)) return down_the_wall(tip, start);
+      last = guess;
       tip.crest.push_back(guess);
     }
+  }
+
+  bool is_steep_between(Vec2 a, Vec2 b) const {
+    for (const double t : {0.25, 0.5, 0.75, 1.0})
+      if (angle_between(map_.normal(map_.locate(lerp(a, b, t))), up_) > steep_wall) return true;
+    return false;
+  }
+
+  /// Straight on the unrolled wall, from where it begins.
+  void down_the_wall(CrestTip& tip, size_t start) const {
+    const Vec2 from = tip.crest.empty() ? arm_[start].point : tip.crest.back();
+    const int left = pieces - int(tip.crest.size());
+    for (int k = 1; k < left; ++k) tip.crest.push_back(lerp(from, tip.point, double(k) / left));
   }
 
   const std::vector<MedialPoint>& arm_;
   double radius_;
   const PlanarRegion& region_;
   const SurfaceMap& map_;
+  Vec3 up_;
   PlanFrame frame_;
   std::vector<size_t> seen_;
   std::vector<double> walked_;
