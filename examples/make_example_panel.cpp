@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "examples/example_panels.h"
+#include "examples/filleted_panel.h"
 #include "examples/shape_catalogue.h"
 #include "examples/shape_panels.h"
 #include "examples/step_file.h"
@@ -19,12 +20,14 @@ namespace {
 
 using namespace beadmesh::examples;
 
-struct BrokenInput {
+struct FileMaker {
   std::string name;
   bool (*write)(const std::filesystem::path&);
 };
-const std::vector<BrokenInput> broken_inputs{
-    {"bow-tie", write_bow_tie}, {"figure-of-eight", write_figure_of_eight}, {"no-faces", write_lone_edge}};
+const std::vector<FileMaker> file_makers{{"filleted", write_filleted_panel},
+                                         {"bow-tie", write_bow_tie},
+                                         {"figure-of-eight", write_figure_of_eight},
+                                         {"no-faces", write_lone_edge}};
 
 const std::map<std::string, BaseKind> base_kinds{{"flat", BaseKind::flat},
                                                  {"cylinder", BaseKind::cylinder},
@@ -40,7 +43,7 @@ struct Request {
 std::string names() {
   std::string all;
   for (const std::string& name : example_names()) all += " " + name;
-  for (const BrokenInput& input : broken_inputs) all += " " + input.name;
+  for (const FileMaker& input : file_makers) all += " " + input.name;
   return all + " shapes random";
 }
 
@@ -82,7 +85,7 @@ int cannot_write(const std::string& path) {
 }
 
 int run(Request& request) {
-  for (const BrokenInput& input : broken_inputs)
+  for (const FileMaker& input : file_makers)
     if (input.name == request.name) return input.write(request.step) ? 0 : cannot_write(request.step);
   const std::optional<PanelDesign> design = design_of(request);
   if (!design) {

@@ -19,12 +19,12 @@
 #include <gp_Pln.hxx>
 
 #include "examples/panel_builder.h"
+#include "examples/step_shape.h"
 
 namespace beadmesh::examples {
 namespace {
 
-bool write_shape(const TopoDS_Shape& shape, STEPControl_StepModelType type,
-                 const std::filesystem::path& path) {
+bool write_as(const TopoDS_Shape& shape, STEPControl_StepModelType type, const std::filesystem::path& path) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   STEPControl_Writer writer;
   Interface_Static::SetCVal("write.step.unit", "MM");
@@ -34,13 +34,17 @@ bool write_shape(const TopoDS_Shape& shape, STEPControl_StepModelType type,
 
 bool write_flat_face(const TopoDS_Wire& boundary, const std::filesystem::path& path) {
   const gp_Pln plane(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
-  return write_shape(BRepBuilderAPI_MakeFace(plane, boundary).Face(), STEPControl_AsIs, path);
+  return write_shape(BRepBuilderAPI_MakeFace(plane, boundary).Face(), path);
 }
 
 }  // namespace
 
+bool write_shape(const TopoDS_Shape& shape, const std::filesystem::path& path) {
+  return write_as(shape, STEPControl_AsIs, path);
+}
+
 bool write_panel(const PanelDesign& design, const std::filesystem::path& path) {
-  return write_shape(build_panel(design), STEPControl_AsIs, path);
+  return write_shape(build_panel(design), path);
 }
 
 bool write_bow_tie(const std::filesystem::path& path) {
@@ -64,7 +68,7 @@ bool write_figure_of_eight(const std::filesystem::path& path) {
 
 bool write_lone_edge(const std::filesystem::path& path) {
   const TopoDS_Shape edge = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(50, 0, 0)).Edge();
-  return write_shape(edge, STEPControl_GeometricCurveSet, path);
+  return write_as(edge, STEPControl_GeometricCurveSet, path);
 }
 
 }  // namespace beadmesh::examples

@@ -98,6 +98,7 @@ def table(panels, args):
         except (RuntimeError, ValueError) as error:
             rows, failed = [f"| {panel.name} | failed: {error} |" + " |" * (len(COLUMNS) + 1)], []
         lines += rows
+        print("\n".join(rows), file=sys.stderr, flush=True)
         for variant, why in failed:
             failures.setdefault(f"{variant}: {why}", []).append(panel.name)
     lines += [""] + [f"Gmsh failed with {why} ({', '.join(names)})." for why, names in failures.items()]

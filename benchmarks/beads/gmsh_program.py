@@ -76,9 +76,9 @@ def quad_mesh(step, out, size, variant, timeout=TIMEOUT):
         f"Mesh.SubdivisionAlgorithm = {variant.subdivision}", f"Mesh.Smoothing = {variant.smoothing}"], timeout)
 
 
-def facets(step, out, boxes, fine=0.5, coarse=4.0, timeout=900):
+def facets(step, out, boxes, fine=0.6, coarse=4.0, timeout=900):
     """Triangles that stand for the surface: their corners lie on it. `boxes`: (x low, x high, y low, y high) in which
-    they are fine; with 0.5 mm a crest of radius 1 mm lies 0.03 mm over the middle of a side."""
+    they are fine; with 0.6 mm a crest of radius 1 mm lies 0.045 mm over the middle of a side."""
     fields = [f"Field[{i}] = Box; Field[{i}].VIn = {fine}; Field[{i}].VOut = {coarse}; Field[{i}].XMin = {x0}; "
               f"Field[{i}].XMax = {x1}; Field[{i}].YMin = {y0}; Field[{i}].YMax = {y1}; Field[{i}].ZMin = -1e4; "
               f"Field[{i}].ZMax = 1e4" for i, (x0, x1, y0, y1) in enumerate(boxes, 1)]

@@ -4,7 +4,9 @@ import os
 import subprocess
 from dataclasses import dataclass
 
-from deck import read_deck
+import numpy as np
+
+from deck import Mesh, read_deck
 from gmsh_program import facets, timed
 
 EXAMPLES = ("single", "basic", "rotated", "curved", "floor")
@@ -49,16 +51,24 @@ def selected(panels, names):
     return [p for p in panels if not names or p.name in names]
 
 
+def content_key(step):
+    """A name for the content of a STEP file; its header, which carries the time of writing, is left out."""
+    with open(step, "rb") as file:
+        return hashlib.sha256(file.read().split(b"DATA;", 1)[-1]).hexdigest()[:12]
+
+
 def facets_of(panel, beads, work):
     """The fine facets of a panel, made once for a STEP file of this content."""
-    with open(panel.step, "rb") as file:
-        key = hashlib.sha256(file.read()).hexdigest()[:12]
-    path = os.path.join(work, f"{panel.name}-{key}-facets.bdf")
-    if not os.path.exists(path):
-        run = facets(panel.step, path, [bead.box(margin=1) for bead in beads])
+    kept = os.path.join(work, f"facets-{content_key(panel.step)}.npz")
+    if not os.path.exists(kept):
+        run = facets(panel.step, kept[:-4] + ".bdf", [bead.box(margin=1) for bead in beads])
         if run.failure:
             raise RuntimeError(f"{panel.name}: no reference facets: {run.failure}")
-    return read_deck(path)
+        mesh = read_deck(run.path)
+        os.remove(run.path)
+        np.savez(kept, points=mesh.points, triangles=mesh.triangles)
+    with np.load(kept) as file:
+        return Mesh(file["points"], np.zeros((0, 4), int), file["triangles"])
 
 
 def our_mesh(program, step, out, size, min_edge, timeout=600):

@@ -34,6 +34,10 @@ crop basic t_bead "80 405 680 400" && png t_bead 1100
 crop basic ring_bead "850 550 510 510" && png ring_bead 700
 crop basic sheet "90 760 780 405" && png sheet 1100
 
+"$build/examples/make_example_panel" filleted filleted.step
+mesh filleted filleted
+png filleted 1200
+
 mesh coarse basic --preset nvh
 crop coarse i_bead_coarse "70 165 580 140" && png i_bead_coarse 1100
 

@@ -67,6 +67,27 @@ class Recognition(Case):
         self.assert_recognised("random")
 
 
+class ManyFaces(Case):
+    """Beads whose fillets, walls and tops are faces of their own."""
+
+    def test_each_is_one_bead(self):
+        result, table = beads_of("filleted")
+        self.assertEqual(0, result.returncode, result.stderr)
+        self.assertEqual([("I", "I"), ("I", "arc"), ("annular", "ring"), ("generic", "T")],
+                         sorted((bead["kind"], bead["shape"]) for bead in table["beads"]))
+        faces = [face for bead in table["beads"] for face in bead["faces"]]
+        self.assertEqual(len(faces), len(set(faces)), "a face belongs to one bead")
+        for bead in table["beads"]:
+            self.assertGreaterEqual(len(bead["faces"]), 13)
+            self.assertAlmostEqual(6, bead["height"], delta=0.1)
+
+    def test_mesh_keeps_the_minimum_over_narrow_fillets(self):
+        table = self.folder / "filleted.json"
+        result = run("mesh", example("filleted"), "-o", self.folder / "filleted.bdf", "--json", table)
+        self.assertIn(", 0 below the minimum", result.stdout)
+        self.assertEqual(["blocks"] * 4, [bead["mesh"]["method"] for bead in json.loads(table.read_text())["beads"]])
+
+
 class Files(Case):
     def test_mesh_writes_all_it_is_asked_for(self):
         deck, table, report = (self.folder / name for name in ("panel.bdf", "beads.json", "report.svg"))
