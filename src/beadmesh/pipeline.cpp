@@ -10,6 +10,7 @@
 
 #include "beadmesh/bead/composite_faces.h"
 #include "beadmesh/bead/face_study.h"
+#include "beadmesh/bead/joined_sheets.h"
 #include "beadmesh/mesh/panel_mesher.h"
 
 namespace beadmesh {
@@ -167,7 +168,8 @@ class JobLimit {
 Panel compose_faces(const Panel& panel, const BeadOptions& options, const Context& context) {
   CompositeOptions composite;
   composite.bead = options;
-  return with_merged_faces(panel, composite_faces(panel, composite, context));
+  const Panel joined = with_merged_faces(panel, joined_sheets(panel, {}, context));
+  return with_merged_faces(joined, composite_faces(joined, composite, context));
 }
 
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options, const Context& context) {

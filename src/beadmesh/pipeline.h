@@ -26,7 +26,8 @@ struct MeshSizes {
   std::vector<LocalSize> local = {};
 };
 
-/// Beads that the CAD system has split into many faces become one face each (bead/composite_faces.h). First
+/// Sheet that the CAD system has cut without need becomes one face (bead/joined_sheets.h), and so does each
+/// bead that it has split into many (bead/composite_faces.h). First
 /// stage after reading; what the others are given is its panel.
 Panel compose_faces(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});
 

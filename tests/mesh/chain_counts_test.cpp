@@ -52,6 +52,17 @@ TEST(ChainCounts, AreLengthsByTheSize) {
   for (const int n : counts) EXPECT_EQ(n, 8);
 }
 
+/// A sliver between two other faces, on two chains of one element each: it must not be lost.
+TEST(ChainCounts, ALoopOfShortChainsHasFourNodes) {
+  ChainSet set;
+  set.chains = {chain_of(3, 0, 1), chain_of(2.8, 0, 2), chain_of(60, 1, no_index), chain_of(60, 2, no_index)};
+  set.loops = {{{{0, false}, {1, false}}}, {{{0, true}, {2, false}}}, {{{1, true}, {3, false}}}};
+  std::vector<int> counts(4, 0);
+  assign_chain_counts(set, {true, true, true}, counts);
+  EXPECT_GE(counts[0] + counts[1], 4);
+  for (Index face = 0; face < 3; ++face) EXPECT_EQ(total(set, face, counts) % 2, 0);
+}
+
 TEST(ChainCounts, FollowTheSizingAndKeepTheMinimumWhereItIsFinest) {
   const ChainSet set = checkerboard(2, 1, [] { return 40.0; });
   ChainCountOptions options{5, 2.5};

@@ -52,6 +52,17 @@ TEST(CompositeFaces, MeshOfABeadOfManyFacesHasNoNodesForcedByItsInnerEdges) {
   EXPECT_EQ(mesh->quality.edges_below_min, 0);
 }
 
+/// The sheet in six pieces, every bead cut by a line between them, and its faces many.
+TEST(CompositeFaces, SheetCutByConstructionLinesIsOneFaceAgain) {
+  Panel panel = split_plate(plate_of_every_kind(), {0, 1, 2}, cylinder_base(900));
+  test::FaceSplitter(panel, 4).split([](Vec3 p) { return (p.x > -60) + (p.x > 55) + 3 * (p.y > 4); });
+  ASSERT_EQ(verify_panel(panel), std::vector<std::string>{});
+  const Panel composed = compose_faces(panel);
+  EXPECT_EQ(verify_panel(composed), std::vector<std::string>{});
+  EXPECT_EQ(composed.faces.size(), 5u);
+  EXPECT_EQ(recognise_beads(composed).beads.size(), 3u);
+}
+
 TEST(CompositeFaces, WhereEveryBeadIsOneFaceNothingIsJoined) {
   EXPECT_TRUE(composite_faces(plate_of_every_kind()).empty());
 }

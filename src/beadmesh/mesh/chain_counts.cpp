@@ -18,18 +18,37 @@ class ParitySolver {
       wanted_.push_back(uniform ? length / options.size : options.sizing[c].count());
       room_.push_back(uniform ? length / room : wanted_[c] * options.sizing[c].finest / room);
       fixed_.push_back(counts[c] > 0);
+      // A closed chain needs four nodes to bound anything; open ones may be a single element.
+      least_.push_back(chains.chains[c].closed ? 4 : 1);
       if (!fixed_[c]) counts[c] = natural_count(Index(c));
     }
   }
 
   void run() {
     for (Index face = 0; face < Index(free_faces_.size()); ++face)
+      if (free_faces_[face]) give_loops_four_nodes(face);
+    for (Index face = 0; face < Index(free_faces_.size()); ++face)
       if (free_faces_[face] && is_odd(face)) mend(face);
   }
 
  private:
-  /// A closed chain needs four nodes to bound anything; open ones may be a single element.
-  int least_count(Index c) const { return chains_.chains[c].closed ? 4 : 1; }
+  int least_count(Index c) const { return least_[c]; }
+
+  /// So does a loop of a few short chains: without them its face would be lost.
+  void give_loops_four_nodes(Index face) {
+    for (const auto& loop : chains_.loops[face]) {
+      int total = 0;
+      Index longest = no_index;
+      for (const ChainUse& use : loop) {
+        total += counts_[use.chain];
+        if (!fixed_[use.chain] && (longest == no_index || wanted_[use.chain] > wanted_[longest]))
+          longest = use.chain;
+      }
+      if (total >= 4 || longest == no_index) continue;
+      counts_[longest] += 4 - total;
+      least_[longest] = counts_[longest];
+    }
+  }
 
   int most_count(Index c) const { return std::max(least_count(c), int(std::floor(room_[c]))); }
 
@@ -104,6 +123,7 @@ class ParitySolver {
   std::vector<double> wanted_;  ///< elements of the target size
   std::vector<double> room_;    ///< elements of the minimum length
   std::vector<bool> fixed_;
+  std::vector<int> least_;  ///< elements that a chain may not go below
 };
 
 }  // namespace
