@@ -24,7 +24,11 @@ Vec3 normal_at(const Facets& facets, Index panel_point) {
 class CompositeFinder {
  public:
   CompositeFinder(const Panel& panel, const CompositeOptions& options, const Context& context)
-      : panel_(panel), options_(options), context_(context), settled_(panel.faces.size(), false) {
+      : panel_(panel),
+        options_(options),
+        context_(context),
+        settled_(panel.faces.size(), false),
+        searched_(panel.faces.size(), false) {
     for (const PanelFace& face : panel.faces) areas_.push_back(area(face.facets));
   }
 
@@ -42,7 +46,8 @@ class CompositeFinder {
  private:
   /// What lies inside the inner loops of a face that counts as sheet.
   void search_inside(Index host) {
-    settled_[host] = true;
+    if (searched_[host]) return;  // loops of a face that closes around itself have no inside
+    searched_[host] = settled_[host] = true;
     for (size_t l = 1; l < panel_.faces[host].loops.size(); ++l) {
       const FaceList inside = enclosed(host, l);
       if (inside.empty()) continue;
@@ -216,7 +221,8 @@ class CompositeFinder {
   const Panel& panel_;
   CompositeOptions options_;
   const Context& context_;
-  std::vector<bool> settled_;
+  std::vector<bool> settled_;   ///< part of something that was searched
+  std::vector<bool> searched_;  ///< what lies inside it is known
   std::vector<double> areas_;
   std::vector<FaceList> groups_;
 };
