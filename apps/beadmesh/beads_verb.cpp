@@ -17,7 +17,7 @@ Result<int> run_beads(const Options& options) {
   const Context context = bar.context(options.settings.jobs);
   auto panel = read_panel(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
-  panel = compose_faces(*panel, options.settings.beads, context);
+  panel = compose_faces(std::move(*panel), options.settings.beads, context);
   const BeadTable table = recognise_beads(*panel, options.settings.beads, context);
   bar.clear();
 

@@ -42,7 +42,7 @@ ReportFacts facts_of(const Panel& panel, const Settings& settings) {
           {{"size", fmt::format("{:g} mm", settings.sizes.size)},
            {"minimum edge", fmt::format("{:g} mm", settings.sizes.min_edge)},
            {"thickness", fmt::format("{:g} mm", settings.sizes.thickness)},
-           {"faces", std::to_string(panel.faces.size())}}};
+           {"faces", std::to_string(input_face_count(panel))}}};
 }
 
 bool is_picture(const std::string& name) {
@@ -81,7 +81,7 @@ Result<int> run_mesh(const Options& options) {
   const Context context = bar.context(options.settings.jobs);
   auto panel = read_panel(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
-  panel = compose_faces(*panel, options.settings.beads, context);
+  panel = compose_faces(std::move(*panel), options.settings.beads, context);
   if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());
   auto mesh = mesh_panel(*panel, sizes, options.settings.beads, context);
   if (!mesh) return tl::make_unexpected(mesh.error());

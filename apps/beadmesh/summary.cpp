@@ -12,13 +12,6 @@ std::string plural(size_t count, const char* word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-/// Of the input.
-size_t face_count(const Panel& panel) {
-  size_t count = 0;
-  for (const PanelFace& face : panel.faces) count += std::max<size_t>(face.numbers.size(), 1);
-  return count;
-}
-
 std::string faces_of(const Panel& panel, const Bead& bead) {
   std::string text;
   for (const Index number : input_numbers(panel, bead.faces))
@@ -46,7 +39,7 @@ std::string count_of(const MedialObject& object, MedialVertexType type, const ch
 
 std::string bead_summary(const Panel& panel, const BeadTable& table,
                          const std::vector<BeadMeshing>& meshing) {
-  std::string text = fmt::format("{}: {}, {}{}\n", panel.input, plural(face_count(panel), "face"),
+  std::string text = fmt::format("{}: {}, {}{}\n", panel.input, plural(input_face_count(panel), "face"),
                                  plural(table.beads.size(), "bead"), counts_by_kind(table));
   if (table.beads.empty()) return text;
   text += fmt::format("{:>4}  {:8} {:8} {:14} {:>9} {:>8} {:>8} {:>6}", "id", "kind", "shape", "faces",

@@ -143,7 +143,8 @@ StudiedPanel study_panel(const Panel& panel, const BeadOptions& options, const C
       studied.table.medials.push_back(lifted(*face.study, *face.medial, number));
       studied.table.beads.push_back(std::move(*face.bead));
     } else {
-      studied.table.faces_not_beads.push_back({number, face.reason});
+      for (const Index of_input : input_numbers(panel, {Index(f)}))
+        studied.table.faces_not_beads.push_back({of_input, face.reason});
     }
     if (face.diagnostic) studied.table.diagnostics.push_back(*face.diagnostic);
     studied.studies.push_back(std::move(face.study));
@@ -165,11 +166,13 @@ class JobLimit {
 
 }  // namespace
 
-Panel compose_faces(const Panel& panel, const BeadOptions& options, const Context& context) {
+Panel compose_faces(Panel panel, const BeadOptions& options, const Context& context) {
   CompositeOptions composite;
   composite.bead = options;
-  const Panel joined = with_merged_faces(panel, joined_sheets(panel, {}, context));
-  return with_merged_faces(joined, composite_faces(joined, composite, context));
+  const auto sheets = joined_sheets(panel, {}, context);
+  panel = with_merged_faces(std::move(panel), sheets);
+  const auto features = composite_faces(panel, composite, context);
+  return with_merged_faces(std::move(panel), features);
 }
 
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options, const Context& context) {

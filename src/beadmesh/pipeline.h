@@ -29,7 +29,7 @@ struct MeshSizes {
 /// Sheet that the CAD system has cut without need becomes one face (bead/joined_sheets.h), and so does each
 /// bead that it has split into many (bead/composite_faces.h). First
 /// stage after reading; what the others are given is its panel.
-Panel compose_faces(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});
+Panel compose_faces(Panel panel, const BeadOptions& options = {}, const Context& context = {});
 
 /// Sections 3 and 4.1: every face that is a bead, with its medial object. Never fails for a single face.
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});

@@ -112,7 +112,7 @@ class PlanPanel {
     add_loop_to(face, plan, outer, false, index);
     for (int hole : holes) add_loop_to(face, plan, hole, true, index);
     add_inner_points(face.facets, plan, lift, spacing > 0 ? spacing : spacing_);
-    fill(face.facets, plan, index, lift);
+    fill(face.facets, plan, lift);
     panel_.faces.push_back(std::move(face));
     return index;
   }
@@ -196,7 +196,7 @@ class PlanPanel {
       }
   }
 
-  static void fill(Facets& facets, const PlanPoints& plan, Index index, const Lift& lift) {
+  static void fill(Facets& facets, const PlanPoints& plan, const Lift& lift) {
     const auto triangulation = triangulate(plan, facets.loops);
     if (!triangulation) throw std::runtime_error(triangulation.error().message);
     facets.triangles = triangulation->triangles;

@@ -71,6 +71,9 @@ TEST(RingCounts, WhatIsAskedHoldsForAllJoinedLines) {
   rings[1].asked = 30;
   const auto counts = counts_of_rings(rings, {150, 200, 250});
   EXPECT_EQ(counts, (std::vector<int>{30, 30, 30}));
+  auto wide = nested(3, 40);
+  wide[1].asked = 100;
+  EXPECT_EQ(counts_of_rings(wide, {60, 300, 560})[2], 100) << "however steep the change";
   rings[1].asked = 31;
   EXPECT_EQ(counts_of_rings(rings, {150, 200, 250})[0] % 2, 0) << "passed over";
 }

@@ -15,6 +15,7 @@ TEST(MergedFaces, TwoSquaresAreOneFaceWithoutTheEdgeBetween) {
   EXPECT_EQ(merged.edges.size(), 6u);
   EXPECT_EQ(merged.faces[0].number, 1);
   EXPECT_EQ(input_numbers(merged, {0}), (std::vector<Index>{1, 2}));
+  EXPECT_EQ(input_face_count(merged), 2u);
   ASSERT_EQ(merged.faces[0].loops.size(), 1u);
   EXPECT_EQ(merged.faces[0].loops[0].size(), 6u);
 }

@@ -83,7 +83,9 @@ TEST(CompositeFaces, AWideEmbossIsOneFaceButNoBead) {
   const Panel panel = split_plate(plate.take(), {0}, flat_base);
   const Panel composed = compose_faces(panel);
   EXPECT_EQ(composed.faces.size(), 2u);
-  EXPECT_TRUE(recognise_beads(composed).beads.empty());
+  const BeadTable table = recognise_beads(composed);
+  EXPECT_TRUE(table.beads.empty());
+  EXPECT_EQ(table.faces_not_beads.size(), panel.faces.size()) << "each face of the input has its reason";
 }
 
 TEST(CompositeFaces, TheOrderOfFacesHasNoMeaning) {
@@ -105,6 +107,9 @@ TEST(CompositeFaces, MaterialBehindASharpEdgeIsNoFeature) {
   Panel panel = test::with_segment_edges(plan.take());
   test::FaceSplitter(panel, 0).split([](Vec3 p) { return p.z > 4.5; });
   EXPECT_TRUE(composite_faces(panel).empty());
+  CompositeOptions options;
+  options.feature_angle = radians(80);
+  EXPECT_EQ(composite_faces(panel, options).size(), 1u) << "nothing else keeps it apart";
 }
 
 }  // namespace

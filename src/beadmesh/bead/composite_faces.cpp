@@ -6,20 +6,12 @@
 
 #include "beadmesh/bead/continued_sheet.h"
 #include "beadmesh/bead/face_study.h"
+#include "beadmesh/panel/edge_shape.h"
 
 namespace beadmesh {
 namespace {
 
 using FaceList = std::vector<Index>;
-
-/// Mean unit normal of the face at a panel point; zero where the point is not on it.
-Vec3 normal_at(const Facets& facets, Index panel_point) {
-  Vec3 sum;
-  for (Index t = 0; t < Index(facets.triangles.size()); ++t)
-    for (int k = 0; k < 3; ++k)
-      if (facets.panel_points[facets.triangles[t][k]] == panel_point) sum += corner_normal(facets, t, k);
-  return squared_norm(sum) > 0 ? normalized(sum) : sum;
-}
 
 class CompositeFinder {
  public:
@@ -28,7 +20,8 @@ class CompositeFinder {
         options_(options),
         context_(context),
         settled_(panel.faces.size(), false),
-        searched_(panel.faces.size(), false) {
+        searched_(panel.faces.size(), false),
+        shapes_(edge_shapes(panel)) {
     for (const PanelFace& face : panel.faces) areas_.push_back(area(face.facets));
   }
 
@@ -160,18 +153,10 @@ class CompositeFinder {
     return !group.empty();
   }
 
+  /// An edge with one face is the rim of a hole.
   bool is_smooth_edge(Index e) const {
-    const PanelEdge& edge = panel_.edges[e];
-    if (edge.faces.size() == 1) return true;  // a hole
-    if (edge.faces.size() != 2) return false;
-    if (edge.faces[0] == edge.faces[1]) return true;  // a seam
-    const size_t n = edge.points.size();
-    for (const Index p : n > 2 ? FaceList{edge.points[n / 2]} : edge.points) {
-      const Vec3 a = normal_at(panel_.faces[edge.faces[0]].facets, p),
-                 b = normal_at(panel_.faces[edge.faces[1]].facets, p);
-      if (angle_between(a, b) > options_.feature_angle) return false;
-    }
-    return true;
+    const std::vector<Index>& faces = panel_.edges[e].faces;
+    return faces.size() == 1 || (faces.size() == 2 && shapes_[e].turn <= options_.feature_angle);
   }
 
   /// One face of many, or none: a plateau's top may carry beads of its own.
@@ -221,9 +206,10 @@ class CompositeFinder {
   const Panel& panel_;
   CompositeOptions options_;
   const Context& context_;
-  std::vector<bool> settled_;   ///< part of something that was searched
-  std::vector<bool> searched_;  ///< what lies inside it is known
-  std::vector<double> areas_;
+  std::vector<bool> settled_;      ///< part of something that was searched
+  std::vector<bool> searched_;     ///< what lies inside it is known
+  std::vector<double> areas_;      ///< per face
+  std::vector<EdgeShape> shapes_;  ///< per edge
   std::vector<FaceList> groups_;
 };
 

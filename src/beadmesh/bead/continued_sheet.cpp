@@ -25,17 +25,6 @@ std::vector<Contact> contacts_of(const Facets& sheet, std::size_t loop) {
 
 }  // namespace
 
-Vec3 corner_normal(const Facets& facets, Index triangle, int k) {
-  if (!facets.triangle_uv.empty() && !facets.surfaces.empty())
-    if (const auto& surface = facets.surfaces[facets.triangle_surface[triangle]]) {
-      const Vec3 normal = surface->normal(facets.triangle_uv[triangle][k]);
-      if (squared_norm(normal) > 0.5) return normal;
-    }
-  const Triangle& t = facets.triangles[triangle];
-  return normalized(
-      cross(facets.points[t[1]] - facets.points[t[0]], facets.points[t[2]] - facets.points[t[0]]));
-}
-
 ContinuedSheet::ContinuedSheet(const Facets& sheet, std::size_t loop) {
   const std::vector<Contact> contacts = contacts_of(sheet, loop);
   for (const Contact& c : contacts) {

@@ -8,9 +8,6 @@
 
 namespace beadmesh {
 
-/// Unit normal of corner k of a triangle: of the exact surface where there is one, else of the triangle.
-Vec3 corner_normal(const Facets& facets, Index triangle, int k);
-
 /// A quadratic height field that touches a face along one of its loops (least squares for points and
 /// normals).
 class ContinuedSheet {

@@ -28,10 +28,6 @@ std::vector<Vec3> vertex_normals(const Facets& facets) {
   return normals;
 }
 
-double squared(double x) {
-  return x * x;
-}
-
 template <class V>
 V blend(V a, V b, V c, const FacetPoint& at) {
   return a * at.weight[0] + b * at.weight[1] + c * at.weight[2];
@@ -92,17 +88,20 @@ struct SurfaceMap::Grid {
     return static_cast<Index>(std::clamp((y - low.y) / cell, 0.0, static_cast<double>(rows - 1)));
   }
 
-  /// Row by row, so that a long thin triangle is listed only where it runs.
+  /// Row by row, so that a long thin triangle is listed only where it runs; a little wider, so that rounding
+  /// at the border of a cell loses none.
   template <class Visit>
   void for_each_cell(const Triangle& t, Visit visit) const {
     const Vec2 a = flat[t[0]], b = flat[t[1]], c = flat[t[2]];
-    const Index bottom = row_of(std::min({a.y, b.y, c.y})), top = row_of(std::max({a.y, b.y, c.y}));
+    const double margin = 1e-9 * cell;
+    const Index bottom = row_of(std::min({a.y, b.y, c.y}) - margin),
+                top = row_of(std::max({a.y, b.y, c.y}) + margin);
     for (Index r = bottom; r <= top; ++r) {
       double left = std::numeric_limits<double>::infinity(), right = -left;
       for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
-        widen(p, q, low.y + r * cell, low.y + (r + 1) * cell, left, right);
-      const Index last = column_of(right);
-      for (Index k = column_of(left); k <= last; ++k) visit(r * columns + k);
+        widen(p, q, low.y + r * cell - margin, low.y + (r + 1) * cell + margin, left, right);
+      const Index last = column_of(right + margin);
+      for (Index k = column_of(left - margin); k <= last; ++k) visit(r * columns + k);
     }
   }
 

@@ -122,9 +122,9 @@ class BlockMapper {
     if (top.size() == row.size())
       join_equal(row, top);
     else if (top.size() > row.size())
-      join_graded(row, top, false);
+      join_graded({row, top, false});
     else
-      join_graded(top, row, true);
+      join_graded({top, row, true});
   }
 
   /// The points of a row of nodes, or as many as asked for, evenly spaced on the line through them.
@@ -143,33 +143,50 @@ class BlockMapper {
     for (size_t i = 0; i + 1 < lower.size(); ++i) add_quad(lower[i], lower[i + 1], upper[i + 1], upper[i]);
   }
 
-  /// One row between lines of n and n + 2 t elements, t templates of k beside k + 2 elements: their middle
-  /// parts are two elements high. `turned`: the coarse line lies above the fine one.
-  void join_graded(const NodeRow& coarse, const NodeRow& fine, bool turned) {
-    const int n = int(coarse.size()) - 1, templates = (int(fine.size()) - 1 - n) / 2;
+  /// Two lines of nodes with a row between them, as far as it is filled.
+  struct GradedRow {
+    const NodeRow &coarse, &fine;
+    bool turned;  ///< the coarse line lies above the fine one
+    int c = 0, f = 0;
+  };
+
+  /// One row between lines of n and n + 2 t elements: t templates, evenly spread, plain quads between them.
+  void join_graded(GradedRow row) {
+    const int n = int(row.coarse.size()) - 1, templates = (int(row.fine.size()) - 1 - n) / 2;
     const double period = double(n) / templates;
     const int width = std::max(1, int(period / 2));
-    const auto quad = [&](Index a, Index b, Index c, Index d) {
-      turned ? add_quad(d, c, b, a) : add_quad(a, b, c, d);
-    };
-    int c = 0, f = 0;
-    for (int t = 0; t <= templates; ++t) {
-      const int start = t < templates ? int((t + 0.5) * period - width / 2.0 + 0.5) : n;
-      for (; c < start; ++c, ++f) quad(coarse[c], coarse[c + 1], fine[f + 1], fine[f]);
-      if (t == templates) break;
-      NodeRow middle;
-      for (int i = 0; i <= width; ++i)
-        middle.push_back(add_node(lerp(out_.mesh.nodes[coarse[c + i]], out_.mesh.nodes[fine[f + 1 + i]], 0.5),
-                                  NodeFreedom::free));
-      quad(coarse[c], middle[0], fine[f + 1], fine[f]);
-      for (int i = 0; i < width; ++i) {
-        quad(coarse[c + i], coarse[c + i + 1], middle[i + 1], middle[i]);
-        quad(middle[i], middle[i + 1], fine[f + 2 + i], fine[f + 1 + i]);
-      }
-      c += width;
-      f += width + 2;
-      quad(middle[width], coarse[c], fine[f], fine[f - 1]);
+    for (int t = 0; t < templates; ++t) {
+      add_plain_quads(row, int((t + 0.5) * period - width / 2.0 + 0.5));
+      add_template(row, width);
     }
+    add_plain_quads(row, n);
+  }
+
+  void add_plain_quads(GradedRow& row, int end) {
+    for (; row.c < end; ++row.c, ++row.f)
+      add_quad_in(row, row.coarse[row.c], row.coarse[row.c + 1], row.fine[row.f + 1], row.fine[row.f]);
+  }
+
+  /// `width` elements beside width + 2; its middle part is two elements high.
+  void add_template(GradedRow& row, int width) {
+    const Index* coarse = &row.coarse[row.c];
+    const Index* fine = &row.fine[row.f];
+    NodeRow middle;
+    for (int i = 0; i <= width; ++i)
+      middle.push_back(
+          add_node(lerp(out_.mesh.nodes[coarse[i]], out_.mesh.nodes[fine[i + 1]], 0.5), NodeFreedom::free));
+    add_quad_in(row, coarse[0], middle[0], fine[1], fine[0]);
+    for (int i = 0; i < width; ++i) {
+      add_quad_in(row, coarse[i], coarse[i + 1], middle[i + 1], middle[i]);
+      add_quad_in(row, middle[i], middle[i + 1], fine[i + 2], fine[i + 1]);
+    }
+    add_quad_in(row, middle[width], coarse[width], fine[width + 2], fine[width + 1]);
+    row.c += width;
+    row.f += width + 2;
+  }
+
+  void add_quad_in(const GradedRow& row, Index a, Index b, Index c, Index d) {
+    row.turned ? add_quad(d, c, b, a) : add_quad(a, b, c, d);
   }
 
   void add_quad(Index a, Index b, Index c, Index d) { out_.mesh.elements.push_back({a, b, c, d}); }

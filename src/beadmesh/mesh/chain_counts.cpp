@@ -34,7 +34,7 @@ class ParitySolver {
  private:
   int least_count(Index c) const { return least_[c]; }
 
-  /// So does a loop of a few short chains: without them its face would be lost.
+  /// A loop of a few short chains needs four nodes as well: without them its face would be lost.
   void give_loops_four_nodes(Index face) {
     for (const auto& loop : chains_.loops[face]) {
       int total = 0;

@@ -71,8 +71,16 @@ class RingCounts {
     return high / low <= longest_share * ring.size / shortest;
   }
 
+  /// What is asked of a ring of the set; 0: nothing.
+  int asked_of(Index set) const {
+    for (const RingBetween& ring : rings_)
+      if (set_[ring.lines[0]] == set && is_asked(ring)) return ring.asked;
+    return 0;
+  }
+
   /// Near the size on the mean, within the shares where that is possible.
   int count_of(Index set) const {
+    if (const int asked = asked_of(set)) return asked;
     double low = 1e300, high = 0, sum = 0, size = 1e300, min_edge = 0;
     int lines = 0;
     for (size_t line = 0; line < set_.size(); ++line)
@@ -84,7 +92,6 @@ class RingCounts {
       }
     for (const RingBetween& ring : rings_)
       if (set_[ring.lines[0]] == set || set_[ring.lines[1]] == set) {
-        if (set_[ring.lines[0]] == set_[ring.lines[1]] && is_asked(ring)) return ring.asked;
         size = std::min(size, ring.size);
         min_edge = std::max(min_edge, ring.min_edge);
       }
@@ -97,7 +104,7 @@ class RingCounts {
   void limit_growth(const RingBetween& ring) {
     const bool swapped = lengths_[ring.lines[0]] > lengths_[ring.lines[1]];
     const Index inner = set_[ring.lines[swapped]], outer = set_[ring.lines[!swapped]];
-    if (inner == outer) return;
+    if (inner == outer || asked_of(outer)) return;
     double length = 0;
     for (size_t line = 0; line < set_.size(); ++line)
       if (set_[line] == outer) length = std::max(length, lengths_[line]);

@@ -131,6 +131,15 @@ Facets facets_of_triangles(const std::vector<Vec3>& points, const std::vector<Tr
   return FacetTracer(points, triangles).trace();
 }
 
+Vec3 corner_normal(const Facets& facets, Index triangle, int k) {
+  if (!facets.triangle_uv.empty() && !facets.surfaces.empty())
+    if (const auto& surface = facets.surfaces[facets.triangle_surface[triangle]]) {
+      const Vec3 normal = surface->normal(facets.triangle_uv[triangle][k]);
+      if (squared_norm(normal) > 0.5) return normal;  // zero where the surface is singular
+    }
+  return normalized(triangle_vector_area(facets, facets.triangles[triangle]));
+}
+
 Vec3 vector_area(const Facets& facets) {
   Vec3 sum;
   for (const Triangle& t : facets.triangles) sum += triangle_vector_area(facets, t);

@@ -35,6 +35,9 @@ struct Facets {
 /// touches itself becomes several vertices. No uv, no faces.
 Facets facets_of_triangles(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 
+/// Unit normal at corner k of a triangle: of the exact surface where there is one, else of the triangle.
+Vec3 corner_normal(const Facets& facets, Index triangle, int k);
+
 /// Sum of the area vectors of the triangles, mm^2; its direction is the mean normal.
 Vec3 vector_area(const Facets& facets);
 

@@ -121,7 +121,8 @@ class FaceMerger {
 
 }  // namespace
 
-Panel with_merged_faces(const Panel& panel, const std::vector<std::vector<Index>>& groups) {
+Panel with_merged_faces(Panel panel, const std::vector<std::vector<Index>>& groups) {
+  if (groups.empty()) return panel;
   return FaceMerger(panel, groups).run();
 }
 

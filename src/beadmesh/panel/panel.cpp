@@ -49,6 +49,12 @@ std::vector<Index> input_numbers(const Panel& panel, const std::vector<Index>& f
   return numbers;
 }
 
+std::size_t input_face_count(const Panel& panel) {
+  std::size_t count = 0;
+  for (const PanelFace& face : panel.faces) count += std::max<std::size_t>(face.numbers.size(), 1);
+  return count;
+}
+
 double diagonal(const Panel& panel) {
   if (panel.points.empty()) return 0;
   Vec3 low = panel.points.front(), high = low;

@@ -63,10 +63,13 @@ Facets facets_of(const Panel& panel, const std::vector<Index>& faces);
 /// The panel with each group of faces (indices, connected, no face in two) as one face, in the place of the
 /// group's first; edges inside a group are gone. Faces without a group stay as they are. A group whose facets
 /// do not join to one piece with loops along its edges is left apart.
-Panel with_merged_faces(const Panel& panel, const std::vector<std::vector<Index>>& groups);
+Panel with_merged_faces(Panel panel, const std::vector<std::vector<Index>>& groups);
 
 /// Numbers of the input's faces that these faces (indices) are made of, ascending.
 std::vector<Index> input_numbers(const Panel& panel, const std::vector<Index>& faces);
+
+/// Faces of the input, those in composite faces counted one by one.
+std::size_t input_face_count(const Panel& panel);
 
 /// Checks every invariant stated above. Returns the violations, in words; empty where all hold.
 std::vector<std::string> verify_panel(const Panel& panel);
