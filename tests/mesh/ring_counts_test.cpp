@@ -57,6 +57,15 @@ TEST(RingCounts, EdgesOfClustersStayNearTheSize) {
     }
 }
 
+/// From 30 on the inner lines, 66 would suit the size outside: 46 keep the edges under 1.7 sizes.
+TEST(RingCounts, OutwardsTheCountGrowsNoMoreThanNeeded) {
+  const auto counts = counts_of_rings(nested(3, 14), {110, 240, 330});
+  EXPECT_EQ(counts[0], 30);
+  EXPECT_EQ(counts[1], 30);
+  EXPECT_GT(counts[2], counts[1]);
+  EXPECT_LE(counts[2], 46);
+}
+
 TEST(RingCounts, TheOrderOfRingsHasNoMeaning) {
   const auto lengths = concentric(20, 14, 7);
   auto rings = nested(7, 14);

@@ -71,6 +71,7 @@ TEST(CompositeFaces, RingsThatShareALoopStayApart) {
   BeadPlate plate(160, 160);
   plate.add(examples::circular_ring(60, 14), 5);
   plate.add_ring_inside({0, 0}, 46, 14, -5);
+  plate.add_ring_inside({0, 0}, 32, 14, 5);  // all three together would pass as one wide ring
   EXPECT_TRUE(composite_faces(plate.take()).empty());
 }
 
