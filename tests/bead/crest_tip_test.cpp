@@ -63,6 +63,53 @@ TEST(CrestTip, FollowsAGentleArc) {
   EXPECT_NEAR(std::hypot(at.x - end.x, at.y - end.y), 8, 0.3);
 }
 
+/// Flat on top, with upright walls between fillets of the given radius.
+StudiedBead walled_bead(double width, double height, double fillet, const Base& base) {
+  const Footprint footprint = placed(examples::straight_bead(60, width), {}, radians(90));
+  PlanPanel plan(base, 1);
+  const int loop = plan.add_loop(points_of(footprint.loops[0], 0.5));
+  const examples::BoundaryDistance inside(footprint.loops);
+  // A strip of the plan along the boundary is bent up: a third of it each for root, wall and shoulder.
+  const double third = 2 * fillet / 3;
+  const auto profile = [=](double d) {
+    if (d >= 3 * third) return Vec2{d, height};
+    if (d >= 2 * third) {
+      const double angle = (d - 2 * third) / third * pi / 2;
+      return Vec2{fillet * (2 - std::cos(angle)), height - fillet * (1 - std::sin(angle))};
+    }
+    if (d >= third) return Vec2{fillet, fillet + (d - third) / third * (height - 2 * fillet)};
+    const double angle = d / third * pi / 2;
+    return Vec2{fillet * std::sin(angle), fillet * (1 - std::cos(angle))};
+  };
+  plan.add_face(
+      loop, {},
+      [=](Vec2 p) {
+        constexpr double h = 1e-3;
+        const Vec2 inwards{inside(p + Vec2{h, 0}) - inside(p - Vec2{h, 0}),
+                           inside(p + Vec2{0, h}) - inside(p - Vec2{0, h})};
+        const double d = std::max(0.0, inside(p));
+        const Vec2 bent = profile(d), at = p + normalized(inwards) * (bent.x - d);
+        return Vec3{at.x, at.y, base(at) + bent.y};
+      },
+      0.4);
+  return studied_face(plan.take(), 0);
+}
+
+/// On walls nearly upright a place in plan says little: the crest must not run past the tip and back.
+TEST(CrestTip, OnASteepWallTheCrestOnlyComesNearerToTheTip) {
+  for (const double rise : {-0.3, 0.3}) {
+    const StudiedBead bead = walled_bead(12, 4, 1, [=](Vec2 p) { return 0.25 * p.x + rise * p.y; });
+    const auto arm = arm_of(bead);
+    const auto tip = crest_tip(arm, bead.skeleton().nodes[0].radius, bead.study->region, bead.map());
+    ASSERT_TRUE(tip) << "slope " << rise;
+    double left = distance(arm[tip->kept].point, tip->point);
+    for (const Vec2 p : tip->crest) {
+      EXPECT_LT(distance(p, tip->point), left) << "slope " << rise;
+      left = distance(p, tip->point);
+    }
+  }
+}
+
 TEST(CrestTip, ArmShorterThanItsCapSaysNothing) {
   const StudiedBead bead = leaning_bead();
   auto arm = arm_of(bead);

@@ -14,6 +14,7 @@ constexpr double window = 2.5;                 ///< how far behind the end is lo
 constexpr double shortest_window = 0.6;        ///< what must be seen of the arm, in radii
 constexpr double most_turn = 0.45;             ///< a parabola no longer follows what winds more
 constexpr double steep_wall = radians(55);     ///< a place in plan says little of the place on such a wall
+constexpr double most_detour = 1.1;            ///< over a place between its neighbours, on the way to the tip
 constexpr int pieces = 12;                     ///< of the crest from there to the tip
 
 /// Coordinates along and across the arm, in plan.
@@ -148,7 +149,9 @@ class CrestTipFinder {
         const double h = frame_.height(guess) - (foot + (tip_height - foot) * share);
         guess = frame_.to_flat(plan_of({along, middle_aside(along) + lean_ * h}), guess);
       }
-      if (is_steep_between(last, guess)) return down_the_wall(tip, start);
+      const double way = distance(last, guess) + distance(guess, tip.point);
+      if (way > most_detour * distance(last, tip.point) || is_steep_between(last, guess))
+        return down_the_wall(tip, start);
       last = guess;
       tip.crest.push_back(guess);
     }

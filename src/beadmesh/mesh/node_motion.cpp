@@ -170,7 +170,7 @@ double NodeMotion::cost_at(Index node, const SurfacePlace& place, MotionAim aim)
 double NodeMotion::floor_of(const State& before, MotionAim aim) const {
   if (aim == MotionAim::edges) return 0.25;
   if (aim != MotionAim::surface) return limits_.floor;
-  return before.deviation > 1.5 * surface_share * limits_.size ? 0.55 : 0.97 * limits_.aim;
+  return before.deviation > 1.5 * surface_share * limits_.size ? 0.7 : 0.97 * limits_.aim;
 }
 
 /// Guards: no new or greater shortage of edges, no worse element below the floor, and a gain (a variational
