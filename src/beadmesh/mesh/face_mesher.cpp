@@ -1,7 +1,7 @@
 #include "beadmesh/mesh/face_mesher.h"
 
 #include "beadmesh/mesh/boundary_row.h"
-#include "beadmesh/mesh/corner_pillow.h"
+#include "beadmesh/mesh/shape_repair.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/subdivision_mesher.h"
 #include "beadmesh/mesh/topological_cleanup.h"
@@ -73,7 +73,7 @@ Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
   smooth(*mesh, &map, smoothing);
   clean_up(*mesh, &map, {}, {options.size, options.min_edge});
   smooth(*mesh, &map, smoothing);
-  relieve_flat_corners(*mesh, &map, {options.size, options.min_edge});
+  repair_shapes(*mesh, &map, {options.size, options.min_edge});
   return mesh;
 }
 

@@ -1,0 +1,306 @@
+#include "beadmesh/mesh/shape_repair.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "beadmesh/mesh/corner_pillow.h"
+#include "beadmesh/mesh/element_quality.h"
+#include "beadmesh/mesh/node_motion.h"
+#include "beadmesh/mesh/smoothing.h"
+#include "beadmesh/mesh/subdivision_mesher.h"
+#include "beadmesh/mesh/topological_cleanup.h"
+
+namespace beadmesh {
+namespace {
+
+constexpr int most_rings = 6, most_rounds = 3;
+constexpr double flat_corner = radians(138);  ///< a single quad there has a scaled Jacobian under 0.67
+constexpr double clear_gain = 0.03;           ///< of the worst scaled Jacobian
+/// What an irregular node or a triangle more takes off the worst scaled Jacobian of a zone.
+constexpr double irregular_cost = 0.006, triangle_cost = 0.2;
+/// A mesh that is poor all over is not repaired zone by zone.
+constexpr int fewest_zones = 40, share_of_elements = 100;
+
+/// Elements that are in the zone, ascending.
+using ElementSet = std::vector<Index>;
+
+ElementSet rings_around(const QuadConnectivity& mesh, Index element, int rings) {
+  std::set<Index> zone{element};
+  for (int ring = 0; ring < rings; ++ring) {
+    std::set<Index> grown = zone;
+    for (const Index e : zone)
+      for (int i = 0; i < corner_count(mesh.element(e)); ++i) {
+        const auto& star = mesh.star(mesh.element(e)[i]);
+        grown.insert(star.begin(), star.end());
+      }
+    zone = std::move(grown);
+  }
+  return {zone.begin(), zone.end()};
+}
+
+/// Directed edges with the elements on their left and none of them on their right, by start; nothing where a
+/// node starts two of them.
+std::optional<std::map<Index, Index>> outline_of(const std::vector<MeshElement>& elements) {
+  std::set<std::array<Index, 2>> edges;
+  for (const MeshElement& e : elements)
+    for (int i = 0; i < corner_count(e); ++i) edges.insert({e[i], e[(i + 1) % corner_count(e)]});
+  std::map<Index, Index> next;
+  for (const auto& [a, b] : edges)
+    if (!edges.count({b, a}) && !next.emplace(a, b).second) return std::nullopt;
+  return next;
+}
+
+/// A few elements of a mesh as a mesh of their own, everything on their outline fixed.
+struct Zone {
+  PlanarMesh mesh;
+  std::vector<Index> original;  ///< of the fixed nodes, which come first
+};
+
+Zone zone_of(const PlanarMesh& whole, const QuadConnectivity& connectivity, const ElementSet& elements) {
+  std::set<std::array<Index, 2>> edges;
+  std::set<Index> fixed, free;
+  for (const Index e : elements) {
+    const MeshElement& element = connectivity.element(e);
+    for (int i = 0; i < corner_count(element); ++i) {
+      edges.insert({element[i], element[(i + 1) % corner_count(element)]});
+      (whole.freedom[element[i]] == NodeFreedom::free ? free : fixed).insert(element[i]);
+    }
+  }
+  for (const auto& [a, b] : edges)
+    if (!edges.count({b, a}))
+      for (const Index n : {a, b}) free.erase(n), fixed.insert(n);
+  Zone zone;
+  std::map<Index, Index> local;
+  const auto add = [&](Index n, NodeFreedom freedom) {
+    local[n] = Index(zone.mesh.nodes.size());
+    zone.mesh.nodes.push_back(whole.nodes[n]);
+    zone.mesh.freedom.push_back(freedom);
+  };
+  for (const Index n : fixed) add(n, NodeFreedom::fixed), zone.original.push_back(n);
+  for (const Index n : free) add(n, NodeFreedom::free);
+  for (const Index e : elements) {
+    MeshElement element = connectivity.element(e);
+    for (int i = 0; i < corner_count(element); ++i) element[i] = local[element[i]];
+    zone.mesh.elements.push_back(element);
+  }
+  return zone;
+}
+
+class ShapeRepair {
+ public:
+  ShapeRepair(PlanarMesh& mesh, const SurfaceMap* map, const ShapeRepairOptions& options)
+      : mesh_(mesh), connectivity_(mesh), map_(map), options_(options) {}
+
+  int run() {
+    int exchanged = 0;
+    for (const Index e : poor_elements())
+      if (connectivity_.is_alive(e) && shape_of(e) < options_.wanted && repair(e)) ++exchanged;
+    if (exchanged > 0) write_back();
+    return exchanged;
+  }
+
+ private:
+  struct Worth {
+    double worst = 1, shortest = 1e300, score = 0;
+  };
+
+  double shape_of(Index e) const {
+    const MeshElement& element = connectivity_.element(e);
+    PlanarMesh one;
+    for (int i = 0; i < corner_count(element); ++i) one.nodes.push_back(mesh_.nodes[element[i]]);
+    one.elements.push_back({0, 1, 2, is_quad(element) ? 3 : no_index});
+    return signed_quality(SurfaceNodes(one.nodes, map_), one.elements[0]);
+  }
+
+  std::vector<Index> poor_elements() const {
+    const SurfaceNodes nodes(mesh_.nodes, map_);
+    std::vector<std::pair<double, Index>> poor;
+    for (Index e = 0; e < Index(mesh_.elements.size()); ++e) {
+      const double shape = signed_quality(nodes, mesh_.elements[e]);
+      if (shape < options_.wanted) poor.emplace_back(shape, e);
+    }
+    std::sort(poor.begin(), poor.end());
+    poor.resize(std::min(poor.size(), fewest_zones + mesh_.elements.size() / share_of_elements));
+    std::vector<Index> out;
+    for (const auto& [shape, e] : poor) out.push_back(e);
+    return out;
+  }
+
+  Worth worth_of(const PlanarMesh& zone) const {
+    const SurfaceNodes nodes(zone.nodes, map_);
+    Worth worth;
+    std::vector<int> valence(zone.nodes.size(), 0);
+    int triangles = 0, irregular = 0;
+    for (const MeshElement& e : zone.elements) {
+      worth.worst = std::min(worth.worst, signed_quality(nodes, e));
+      triangles += !is_quad(e);
+      for (int i = 0; i < corner_count(e); ++i) {
+        ++valence[e[i]];
+        worth.shortest =
+            std::min(worth.shortest, distance(nodes.space(e[i]), nodes.space(e[(i + 1) % corner_count(e)])));
+      }
+    }
+    for (size_t n = 0; n < zone.nodes.size(); ++n)
+      irregular += zone.freedom[n] == NodeFreedom::free && valence[n] != 4;
+    worth.score =
+        std::min(worth.worst, options_.wanted + 0.1) - irregular_cost * irregular - triangle_cost * triangles;
+    return worth;
+  }
+
+  /// All that is tried on one zone; the better of what came before and this is kept in `best`.
+  void polish(PlanarMesh zone, const Worth& before, std::optional<PlanarMesh>& best,
+              Worth& best_worth) const {
+    const SmoothingOptions smoothing{options_.size, options_.min_edge};
+    smooth(zone, map_, smoothing);
+    clean_up(zone, map_, {}, {options_.size, options_.min_edge});
+    smooth(zone, map_, smoothing);
+    relieve_flat_corners(zone, map_, {options_.size, options_.min_edge, flat_corner});
+    const Worth worth = worth_of(zone);
+    const double shortest = std::min(before.shortest, options_.min_edge);
+    if (worth.shortest < shortest || worth.worst < before.worst + clear_gain ||
+        worth.score <= best_worth.score)
+      return;
+    best_worth = worth;
+    best = std::move(zone);
+  }
+
+  /// The zone with the elements in `inside` (numbers in it) replaced by loop splitting.
+  std::optional<PlanarMesh> meshed_anew(const PlanarMesh& zone, const std::vector<bool>& inside) const {
+    std::vector<MeshElement> removed;
+    PlanarMesh out{zone.nodes, zone.freedom, {}};
+    for (size_t e = 0; e < zone.elements.size(); ++e)
+      (inside[e] ? removed : out.elements).push_back(zone.elements[e]);
+    const auto next = outline_of(removed);
+    if (!next || next->empty()) return std::nullopt;
+    std::vector<Index> loop;
+    Index at = next->begin()->first;
+    do {
+      loop.push_back(at);
+      const auto found = next->find(at);
+      if (found == next->end()) return std::nullopt;
+      at = found->second;
+    } while (at != loop.front() && loop.size() <= next->size());
+    if (loop.size() != next->size() || loop.size() % 2) return std::nullopt;
+    if (has_fixed_inside(zone, removed, loop)) return std::nullopt;
+    NodeLoops loops;
+    loops.loops.emplace_back();
+    for (const Index n : loop) {
+      loops.loops[0].push_back(Index(loops.nodes.size()));
+      loops.nodes.push_back(zone.nodes[n]);
+    }
+    const auto filled = mesh_by_subdivision(loops, map_, {options_.size, options_.min_edge});
+    if (!filled) return std::nullopt;
+    for (size_t n = loop.size(); n < filled->nodes.size(); ++n) {
+      loop.push_back(Index(out.nodes.size()));
+      out.nodes.push_back(filled->nodes[n]);
+      out.freedom.push_back(NodeFreedom::free);
+    }
+    for (MeshElement e : filled->elements) {
+      for (Index& n : e)
+        if (n != no_index) n = loop[n];
+      out.elements.push_back(e);
+    }
+    return out;
+  }
+
+  static bool has_fixed_inside(const PlanarMesh& zone, const std::vector<MeshElement>& removed,
+                               const std::vector<Index>& loop) {
+    const std::set<Index> outline(loop.begin(), loop.end());
+    for (const MeshElement& e : removed)
+      for (int i = 0; i < corner_count(e); ++i)
+        if (zone.freedom[e[i]] != NodeFreedom::free && !outline.count(e[i])) return true;
+    return false;
+  }
+
+  struct Candidate {
+    ElementSet elements;
+    std::vector<Index> original;
+    PlanarMesh mesh;
+    double worst = 0;
+  };
+
+  /// The best that can be made of the elements within so many rings; nothing where it is not clearly better.
+  std::optional<Candidate> best_zone(Index seed, int rings) const {
+    const ElementSet elements = rings_around(connectivity_, seed, rings);
+    Zone zone = zone_of(mesh_, connectivity_, elements);
+    const Worth before = worth_of(zone.mesh);
+    Worth worth = before;
+    std::optional<PlanarMesh> best;
+    polish(zone.mesh, before, best, worth);
+    for (int inner = 1; inner < rings; ++inner) {
+      const ElementSet core = rings_around(connectivity_, seed, inner);
+      std::vector<bool> inside;
+      for (const Index e : elements) inside.push_back(std::binary_search(core.begin(), core.end(), e));
+      if (auto anew = meshed_anew(zone.mesh, inside)) polish(std::move(*anew), before, best, worth);
+    }
+    if (!best) return std::nullopt;
+    return Candidate{elements, std::move(zone.original), std::move(*best), worth.worst};
+  }
+
+  /// Larger zones only where none smaller comes right.
+  bool repair(Index seed) {
+    std::optional<Candidate> best;
+    for (int rings = 2; rings <= most_rings && (!best || best->worst < options_.wanted); ++rings) {
+      auto candidate = best_zone(seed, rings);
+      if (candidate && (!best || candidate->worst > best->worst)) best = std::move(candidate);
+    }
+    if (best) exchange(*best);
+    return best.has_value();
+  }
+
+  void exchange(const Candidate& better) {
+    for (const Index e : better.elements) connectivity_.remove_element(e);
+    std::vector<Index> number(better.original);
+    for (size_t n = number.size(); n < better.mesh.nodes.size(); ++n) {
+      number.push_back(connectivity_.add_node());
+      mesh_.nodes.push_back(better.mesh.nodes[n]);
+      mesh_.freedom.push_back(NodeFreedom::free);
+    }
+    for (MeshElement e : better.mesh.elements) {
+      for (Index& n : e)
+        if (n != no_index) n = number[n];
+      connectivity_.add_element(e);
+    }
+  }
+
+  /// Without the nodes and elements that are gone.
+  void write_back() {
+    std::vector<Index> number(mesh_.nodes.size(), no_index);
+    PlanarMesh out;
+    for (Index n = 0; n < Index(mesh_.nodes.size()); ++n) {
+      if (connectivity_.star(n).empty()) continue;
+      number[n] = Index(out.nodes.size());
+      out.nodes.push_back(mesh_.nodes[n]);
+      out.freedom.push_back(mesh_.freedom[n]);
+    }
+    for (Index e = 0; e < connectivity_.element_count(); ++e) {
+      if (!connectivity_.is_alive(e)) continue;
+      MeshElement element = connectivity_.element(e);
+      for (Index& n : element)
+        if (n != no_index) n = number[n];
+      out.elements.push_back(element);
+    }
+    mesh_ = std::move(out);
+  }
+
+  PlanarMesh& mesh_;
+  QuadConnectivity connectivity_;
+  const SurfaceMap* map_;
+  ShapeRepairOptions options_;
+};
+
+}  // namespace
+
+int repair_shapes(PlanarMesh& mesh, const SurfaceMap* map, const ShapeRepairOptions& options) {
+  int exchanged = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    const int now = ShapeRepair(mesh, map, options).run();
+    exchanged += now;
+    if (now == 0) break;
+  }
+  return exchanged;
+}
+
+}  // namespace beadmesh
