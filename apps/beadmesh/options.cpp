@@ -15,7 +15,7 @@ namespace {
 
 /// What CLI11 fills in, before it is checked.
 struct RawOptions {
-  std::string input, config, face = "all", method;
+  std::string input, config, face = "all", method, criteria;
   std::vector<std::string> beads, local_sizes;
   OutputNames outputs;
   bool feet = false;
@@ -89,6 +89,12 @@ void add_check(CLI::App& app, RawOptions& raw) {
   verb.add_option("MESH", raw.input, "mesh: .bdf .nas .dat (Nastran)")->required();
   verb.add_option("--size", raw.flags.size, "element size it was made for, mm");
   verb.add_option("--min-edge", raw.flags.min_edge, "minimum element length, mm: shorter edges are counted");
+  verb.add_option("--preset", raw.flags.preset, "limits of crash, nvh or durability");
+  verb.add_option("--criteria", raw.criteria,
+                  "limits from a criteria file: id, name, on, weight, ideal, good, warn,\n"
+                  "fail, worst")
+      ->excludes("--preset");
+  verb.add_option("--save-criteria", raw.outputs.criteria, "the limits as a criteria file");
   verb.add_option("--json", raw.outputs.json, "figures as JSON; - for standard output");
 }
 
@@ -154,6 +160,8 @@ Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
   options.feet = raw.feet;
   options.has_size = raw.flags.size.has_value();
   options.has_min_edge = raw.flags.min_edge.has_value();
+  options.criteria = raw.criteria;
+  options.preset = raw.flags.preset.value_or("");
   const auto face = face_number(raw.face);
   if (!face) return tl::make_unexpected(face.error());
   options.face = *face;

@@ -13,7 +13,7 @@ enum class Verb { mesh, beads, medial, check };
 
 /// Files to write; empty: not asked for; "-": standard output (json and csv only).
 struct OutputNames {
-  std::string deck, json, csv, report, svg;
+  std::string deck, json, csv, report, svg, criteria;
 };
 
 struct Options {
@@ -25,6 +25,8 @@ struct Options {
   bool feet = false;      ///< of `medial`: lines to the touching points in the picture
   bool has_size = false;  ///< of `check`: was given
   bool has_min_edge = false;
+  std::string criteria;  ///< of `check`: file with limits; empty: those of the preset
+  std::string preset;    ///< of `check`; empty: no limits but the file's
 };
 
 /// The options; none where help or version was asked for and has been printed. Fails with usage.* and

@@ -22,11 +22,10 @@ struct Named {
 };
 
 std::vector<Named> asked_for(const OutputNames& names) {
-  std::vector<Named> all = {{"--output", names.deck, {}, false},
-                            {"--json", names.json, {}, true},
-                            {"--csv", names.csv, {}, true},
-                            {"--report", names.report, {".html", ".htm", ".svg"}, false},
-                            {"--svg", names.svg, {".svg"}, false}};
+  std::vector<Named> all = {
+      {"--output", names.deck, {}, false},   {"--json", names.json, {}, true},
+      {"--csv", names.csv, {}, true},        {"--report", names.report, {".html", ".htm", ".svg"}, false},
+      {"--svg", names.svg, {".svg"}, false}, {"--save-criteria", names.criteria, {}, false}};
   std::vector<Named> asked;
   for (Named& one : all)
     if (!one.name.empty()) asked.push_back(std::move(one));

@@ -65,6 +65,28 @@ std::string quality_summary(const QualitySummary& q) {
       q.edges_below_min);
 }
 
+std::string criteria_summary(const JudgedMesh& judged) {
+  if (judged.parts.empty()) return "";
+  const CriteriaFindings& all = judged.parts.front().findings;
+  std::string text = fmt::format("{:<16} {:>9} {:>9} {:>10} {:>8} {:>8}\n", "criterion", "warn", "fail",
+                                 "extreme", "warned", "failed");
+  for (int m = 0; m < measure_count; ++m) {
+    const Criterion& limits = judged.criteria.of[m];
+    const MeasureFindings& found = all.of[m];
+    const std::string extreme = found.extreme ? fmt::format("{:.3f}", *found.extreme) : "-";
+    text +=
+        fmt::format("{:<16} {:>9.3g} {:>9.3g} {:>10} {:>8} {:>8}\n", name_of(static_cast<QualityMeasure>(m)),
+                    limits.warn, limits.fail, extreme, limits.on ? fmt::to_string(found.warned) : "off",
+                    limits.on ? fmt::to_string(found.failed) : "off");
+  }
+  for (const PartFindings& part : judged.parts)
+    text +=
+        fmt::format("{}: {} of {} fail ({:.2f} %)\n", part.name, part.findings.failing,
+                    plural(part.findings.elements, "element"),
+                    part.findings.elements ? 100.0 * part.findings.failing / part.findings.elements : 0.0);
+  return text;
+}
+
 std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces,
                            const std::vector<PlaneImage>& images) {
   std::string text = fmt::format("{}: medial object of {}\n", input, plural(faces.size(), "face"));
@@ -111,6 +133,15 @@ std::vector<Diagnostic> shortfalls(const QualitySummary& quality, double min_edg
                                  plural(quality.edges_below_min, "edge"), min_edge, quality.edge_min),
                      ""});
   return found;
+}
+
+std::vector<Diagnostic> shortfalls(const JudgedMesh& judged) {
+  if (judged.parts.empty() || judged.parts.front().findings.holds()) return {};
+  const CriteriaFindings& all = judged.parts.front().findings;
+  std::string message = plural(all.failing, "element") + " past the limits";
+  if (all[QualityMeasure::triangle_share].failed)
+    message += fmt::format("; {:.2f} % triangles", *all[QualityMeasure::triangle_share].extreme);
+  return {{"quality.criteria", Severity::warning, no_index, "", message, "see the table, or --json"}};
 }
 
 std::vector<Diagnostic> shortfalls(const PanelMesh& mesh, double min_edge) {

@@ -7,6 +7,7 @@
 #include "beadmesh/flatten/cut_open.h"
 #include "beadmesh/mesh/panel_mesh.h"
 #include "beadmesh/panel/panel.h"
+#include "beadmesh/write/quality_json.h"
 
 namespace beadmesh::app {
 
@@ -16,6 +17,8 @@ std::string bead_summary(const Panel& panel, const BeadTable& table,
                          const std::vector<BeadMeshing>& meshing = {});
 /// Counts, quality and edges, a line each.
 std::string quality_summary(const QualitySummary& quality);
+/// A line per criterion of the whole mesh, then one per part.
+std::string criteria_summary(const JudgedMesh& judged);
 /// A line per face: loops, vertices by type, edges, length, thickness; `images`: which faces were cut open
 /// (none for a plane polygon).
 std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces,
@@ -25,6 +28,7 @@ std::string medial_summary(const std::string& input, const std::vector<FaceMedia
 /// `min_edge`. Empty where nothing fell short.
 std::vector<Diagnostic> shortfalls(const PanelMesh& mesh, double min_edge);
 std::vector<Diagnostic> shortfalls(const QualitySummary& quality, double min_edge);
+std::vector<Diagnostic> shortfalls(const JudgedMesh& judged);
 
 /// Notes and warnings on standard error, one a line; true where one is an error.
 bool print_diagnostics(const std::vector<Diagnostic>& diagnostics);

@@ -272,6 +272,18 @@ class BrokenMeshes(Case):
         self.assert_refused("check", self.file("empty.bdf"), names="empty.bdf")
         self.assert_refused("check", self.file("noise.bdf", bytes(range(256)) * 40), names="noise.bdf")
 
+    def test_check_refuses_what_are_no_limits(self):
+        deck = self.file("square.bdf", b"GRID,1,,0.,0.,0.\nGRID,2,,5.,0.,0.\nGRID,3,,5.,5.,0.\nGRID,4,,0.,5.,0.\n"
+                                       b"CQUAD4,1,1,1,2,3,4\n")
+        self.assertEqual(0, run("check", deck, "--preset", "crash").returncode)
+        self.assert_refused("check", deck, "--preset", "cfd", names="cfd")
+        self.assert_refused("check", deck, "--criteria", self.folder / "missing.criteria", names="missing.criteria")
+        self.assert_refused("check", deck, "--criteria", self.file("empty.criteria"), names="empty.criteria")
+        self.assert_refused("check", deck, "--criteria", self.file("noise.criteria", bytes(range(256))),
+                            names="noise.criteria")
+        self.assert_refused("check", deck, "--save-criteria", self.folder / "limits.criteria", names="limits")
+        self.assert_refused("check", deck, "--preset", "crash", "--save-criteria", deck, names="square.bdf")
+
 
 if __name__ == "__main__":
     unittest.main()

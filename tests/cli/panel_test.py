@@ -126,6 +126,25 @@ class Files(Case):
         self.assertEqual(0, result.returncode, result.stderr)
         self.assertGreater(json.loads(result.stdout)["mesh"]["quads"], 100)
 
+    def test_limits_of_a_preset_and_of_a_file(self):
+        deck, table, limits = (self.folder / name for name in ("panel.bdf", "check.json", "limits.criteria"))
+        run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")
+        first = run("check", deck, "--preset", "crash", "--save-criteria", limits, "--json", table)
+        self.assertIn("property 1:", first.stdout)
+        judged = json.loads(table.read_text())
+        self.assertEqual(12, len(judged["criteria"]))
+        self.assertEqual(judged["parts"][0]["elements"], sum(p["elements"] for p in judged["parts"][1:]))
+        self.assertEqual(0, judged["parts"][0]["measures"][0]["failed"], "no edge is below the minimum")
+        again = run("check", deck, "--criteria", limits, "--json", "-")
+        self.assertEqual(first.returncode, again.returncode)
+        self.assertEqual(judged, json.loads(again.stdout))
+        loose = self.file("loose.criteria", b"1 min length 1 1 5 4 3 2.5 0\n")
+        self.assertEqual(0, run("check", deck, "--criteria", loose).returncode)
+        strict = self.file("strict.criteria", b"1 min length 1 1 9 8 7 6 0\n")
+        failing = run("check", deck, "--criteria", strict)
+        self.assertEqual(1, failing.returncode)
+        self.assertIn("past the limits", failing.stderr)
+
     def test_minimum_edge_holds_in_the_deck(self):
         deck = self.folder / "panel.bdf"
         run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")
