@@ -17,19 +17,23 @@ struct Blocked {
   Result<BlockLayout> layout;
 };
 
-Blocked blocked(const PlanarRegion& drawn, int across) {
+Blocked blocked(const PlanarRegion& drawn, int across, int bands = 1) {
   PlanarRegion region = checked_region(drawn).value();
   const Skeleton skeleton = skeleton_of(medial_of(region));
-  auto layout = blocks_of_bead(skeleton, ridge_of(skeleton, region), region, {5, 2.5, across});
+  auto layout =
+      blocks_of_bead(skeleton, ridge_of(skeleton, region), region, {5, 2.5, across, 0, 0, 0, bands});
   return {std::move(region), std::move(layout)};
 }
 
 /// Sound, with counts, an even boundary, and no irregular node but `irregular` (m >= 4) or `hub` (m = 2).
 void expect_blocks(const std::string& what, const PlanarRegion& region, int irregular, int hub = 0) {
-  for (const int m : {2, 4, 6}) {
-    Blocked bead = blocked(region, m);
+  struct Variant {
+    int across, bands;
+  };
+  for (const auto& [m, bands] : {Variant{2, 1}, {4, 1}, {6, 1}, {6, 2}, {8, 3}}) {
+    Blocked bead = blocked(region, m, bands);
     ASSERT_TRUE(bead.layout) << what << ": " << bead.layout.error().message;
-    SCOPED_TRACE(what + ", " + std::to_string(m) + " across");
+    SCOPED_TRACE(what + ", " + std::to_string(m) + " across, " + std::to_string(bands) + " bands");
     expect_sound(*bead.layout, bead.region);
     EXPECT_EQ(irregular_vertices(*bead.layout), m == 2 ? hub : irregular);
     const auto counted = assign_counts(*bead.layout, flat_lengths(*bead.layout), {5, 2.5});
@@ -44,6 +48,31 @@ TEST(BeadBlocks, IBeadHasFourIrregularNodes) {
   expect_blocks("taper", tapered_stadium(80, 11, 6), 4);
   expect_blocks("arc", region_of(examples::arc_bead(60, 120, 16)), 4);
   expect_blocks("S", region_of(examples::s_bead(50, 70, 16)), 4);
+}
+
+TEST(BeadBlocks, BandsRunAroundTheCores) {
+  for (const int bands : {1, 2}) {
+    Blocked bead = blocked(stadium(80, 8), 6, bands);
+    ASSERT_TRUE(bead.layout);
+    ASSERT_TRUE(assign_counts(*bead.layout, flat_lengths(*bead.layout), {5, 2.5}));
+    // At the corners of a core one edge leads to the foot, as many elements long as there are bands.
+    int corners = 0;
+    const auto& vertices = bead.layout->vertices;
+    for (Index v = 0; v < Index(vertices.size()); ++v) {
+      if (vertices[v].on_boundary) continue;
+      int edges = 0, shortest_to_foot = 100;
+      for (const VirtualEdge& edge : bead.layout->edges) {
+        if (edge.start != v && edge.end != v) continue;
+        ++edges;
+        const Index other = edge.start == v ? edge.end : edge.start;
+        if (vertices[other].on_boundary) shortest_to_foot = std::min(shortest_to_foot, edge.count);
+      }
+      if (edges != 3) continue;
+      ++corners;
+      EXPECT_EQ(shortest_to_foot, bands);
+    }
+    EXPECT_EQ(corners, 8) << "two of a core and two where its sides begin, at each end";
+  }
 }
 
 TEST(BeadBlocks, ShortIBeadIsTwoCapsOnOneCut) {

@@ -183,7 +183,7 @@ class AnnularBlocks {
     if (is_narrow())
       builder_.add_edge(a.left, a.right, VirtualEdgeKind::split, {}, 1);
     else
-      add_chord_edges(builder_, a, options_.elements_across, false);
+      add_chord_edges(builder_, a, options_.elements_across, 0);
     if (!is_narrow())
       builder_.add_edge(a.middle, b.middle, VirtualEdgeKind::ridge, axis_between(a.along, b.along),
                         indices_[crest][i + 1] - indices_[crest][i]);

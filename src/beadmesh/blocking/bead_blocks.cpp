@@ -245,8 +245,8 @@ class BeadBlocks {
       return place_short_arm(a, start_tip, end_tip, (first + last) / 2);
     if (start_tip) start_chord_[a] = chord_on_arm(a, first);
     if (end_tip) end_chord_[a] = chord_on_arm(a, last);
-    add_chord_edges(builder_, start_chord_[a], options_.elements_across, start_tip);
-    add_chord_edges(builder_, end_chord_[a], options_.elements_across, end_tip);
+    add_chord_edges(builder_, start_chord_[a], options_.elements_across, start_tip ? options_.bands : 0);
+    add_chord_edges(builder_, end_chord_[a], options_.elements_across, end_tip ? options_.bands : 0);
     add_strip(a, start_chord_[a], end_chord_[a]);
     add_caps(a, start_tip, end_tip);
     return {};
@@ -260,7 +260,7 @@ class BeadBlocks {
       return fail("blocking.no_strip", "an arm is too short for a strip with a number of elements along");
     Chord shared =
         start_tip && end_tip ? chord_on_arm(a, middle) : (start_tip ? end_chord_[a] : start_chord_[a]);
-    add_chord_edges(builder_, shared, options_.elements_across, true);
+    add_chord_edges(builder_, shared, options_.elements_across, options_.bands);
     start_chord_[a] = end_chord_[a] = shared;
     add_caps(a, start_tip, end_tip);
     return {};
@@ -279,8 +279,8 @@ class BeadBlocks {
   }
 
   CapOptions cap_options(Index node) const {
-    return {options_.elements_across, ridge_.nodes[node].radius, options_.size,
-            options_.min_edge,        options_.extra_rows,       options_.clamp_rows};
+    return {options_.elements_across, ridge_.nodes[node].radius, options_.size, options_.min_edge,
+            options_.extra_rows,      options_.clamp_rows,       options_.bands};
   }
 
   /// True where the touching line keeps the order of its neighbours on both boundaries.
@@ -321,7 +321,7 @@ class BeadBlocks {
       if (!advances(trial, as_station(last))) continue;
       trial.along = along;
       trial.middle = builder_.add_vertex(arms_[a].point(along));
-      add_chord_edges(builder_, trial, options_.elements_across, false);
+      add_chord_edges(builder_, trial, options_.elements_across, 0);
       add_strip_blocks(a, before, trial, count_to(along) - count_to(before.along));
       before = trial;
     }

@@ -48,7 +48,7 @@ class CapBuilder {
         chord_(chord),
         tip_(tip),
         options_(options),
-        half_core_((options.elements_across - 2) / 2) {
+        half_core_(std::max(0, options.elements_across / 2 - options.bands)) {
     crest_.push_back(builder.point_of(chord.middle));
     crest_.insert(crest_.end(), crest.begin(), crest.end());
     crest_.push_back(builder.point_of(tip));
@@ -72,7 +72,7 @@ class CapBuilder {
     for (size_t i = 1; i < crest_.size(); ++i) crest += distance(crest_[i - 1], crest_[i]);
     const double arcs = left_arc_ + right_arc_ - left_tip_arc_ - right_tip_arc_,
                  size = cap_scale * options_.size;
-    const int end_rows = half_core_ == 0 ? 0 : 1;  // the tip's own band
+    const int end_rows = half_core_ == 0 ? 0 : options_.bands;  // the tip's own
     int best = 1;
     double best_misfit = 1e300;
     for (int p = 1; p <= 40; ++p) {
@@ -129,7 +129,7 @@ class CapBuilder {
     const double share = double(rows_) / (rows_ + half_core_);
     const Index left_arc = boundary_vertex(share * left_arc_);
     const Index right_arc = boundary_vertex(left_arc_ + (1 - share) * right_arc_);
-    const double core_share = double(rows_) / (rows_ + 1);
+    const double core_share = double(rows_) / (rows_ + options_.bands);
     const Index core_end = builder_.add_vertex(point_along(crest_, core_share));
     const Index a = chord_.left_path[1], b = chord_.right_path[1];
     const Index s = builder_.add_vertex(core_corner(core_end, a, left_arc));
@@ -137,13 +137,14 @@ class CapBuilder {
     const auto inner = VirtualEdgeKind::inner;
     builder_.add_edge(chord_.middle, core_end, VirtualEdgeKind::ridge, inner_part(crest_, 0, core_share),
                       rows_);
-    builder_.add_edge(core_end, tip_, VirtualEdgeKind::ridge, inner_part(crest_, core_share, 1), 1);
+    builder_.add_edge(core_end, tip_, VirtualEdgeKind::ridge, inner_part(crest_, core_share, 1),
+                      options_.bands);
     builder_.add_edge(a, s, inner);
     builder_.add_edge(b, r, inner);
     builder_.add_edge(s, core_end, inner, {}, half_core_);
     builder_.add_edge(core_end, r, inner, {}, half_core_);
-    builder_.add_edge(s, left_arc, inner, {}, 1);
-    builder_.add_edge(r, right_arc, inner, {}, 1);
+    builder_.add_edge(s, left_arc, inner, {}, options_.bands);
+    builder_.add_edge(r, right_arc, inner, {}, options_.bands);
     builder_.add_boundary_edge(chord_.left, left_arc, true);
     builder_.add_boundary_edge(left_arc, tip_, true, half_core_);
     builder_.add_boundary_edge(tip_, right_arc, true, half_core_);
@@ -178,23 +179,23 @@ class CapBuilder {
 
 }  // namespace
 
-void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_across, bool cap) {
+void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_across, int bands) {
   const int half = elements_across / 2;
   chord.left_path = {chord.left, chord.middle};
   chord.right_path = {chord.middle, chord.right};
-  if (!cap || half < 2) {
+  if (bands == 0 || half <= bands) {
     builder.add_edge(chord.left, chord.middle, VirtualEdgeKind::split, {}, half);
     builder.add_edge(chord.middle, chord.right, VirtualEdgeKind::split, {}, half);
     return;
   }
-  const double share = 1.0 / half;
+  const double share = double(bands) / half;
   const Vec2 middle = builder.point_of(chord.middle);
   const Index a = builder.add_vertex(lerp(builder.point_of(chord.left), middle, share));
   const Index b = builder.add_vertex(lerp(builder.point_of(chord.right), middle, share));
-  builder.add_edge(chord.left, a, VirtualEdgeKind::split, {}, 1);
-  builder.add_edge(a, chord.middle, VirtualEdgeKind::split, {}, half - 1);
-  builder.add_edge(chord.middle, b, VirtualEdgeKind::split, {}, half - 1);
-  builder.add_edge(b, chord.right, VirtualEdgeKind::split, {}, 1);
+  builder.add_edge(chord.left, a, VirtualEdgeKind::split, {}, bands);
+  builder.add_edge(a, chord.middle, VirtualEdgeKind::split, {}, half - bands);
+  builder.add_edge(chord.middle, b, VirtualEdgeKind::split, {}, half - bands);
+  builder.add_edge(b, chord.right, VirtualEdgeKind::split, {}, bands);
   chord.left_path = {chord.left, a, chord.middle};
   chord.right_path = {chord.middle, b, chord.right};
 }

@@ -24,9 +24,9 @@ struct Chord {
   }
 };
 
-/// Adds the cut's edges. With `cap`, the outermost element of each half becomes an edge of its own where
-/// elements_across >= 4, as the clamp needs it.
-void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_across, bool cap);
+/// Adds the cut's edges. `bands` > 0: so many outermost elements of each half become an edge of their own
+/// where the half has more, as the clamp needs it.
+void add_chord_edges(BlockLayoutBuilder& builder, Chord& chord, int elements_across, int bands);
 
 struct CapOptions {
   int elements_across = 4;
@@ -35,12 +35,13 @@ struct CapOptions {
   double min_edge = 2.5;  ///< minimum element length
   int extra_rows = 0;     ///< rows along the clamp beyond what suits the size
   int rows = 0;           ///< rows along the clamp; 0: what suits the size
+  int bands = 1;          ///< rows around the core, along the foot
 };
 
-/// Adds the clamp of figure 15a (m = elements_across, q = m - 2) beyond a cut whose direction points to the
-/// tip. `tip`: the boundary vertex; `crest`: inner points of the ridge from the cut to the tip. For m = 2 the
-/// core vanishes: two bands bend round at 60 degrees from the tip, where round ends have their least sharp
-/// corners.
+/// Adds the clamp of figure 15a (m = elements_across, q = m - 2 bands) beyond a cut whose direction points to
+/// the tip. `tip`: the boundary vertex; `crest`: inner points of the ridge from the cut to the tip. For m = 2
+/// the core vanishes: two bands bend round at 60 degrees from the tip, where round ends have their least
+/// sharp corners.
 void add_end_cap(BlockLayoutBuilder& builder, const Chord& chord, Index tip, const std::vector<Vec2>& crest,
                  const CapOptions& options);
 

@@ -13,6 +13,7 @@
 #include "beadmesh/geometry/polyline.h"
 #include "beadmesh/mesh/bead_section.h"
 #include "beadmesh/mesh/block_mesher.h"
+#include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/mesh/ridge_insertion.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/topological_cleanup.h"
@@ -29,9 +30,16 @@ constexpr double fair_score = 0.6;
 /// Better shapes do not count.
 constexpr double good_jacobian = 0.86;
 
+/// Criteria of crash and other models let no element be warped more.
+constexpr double largest_warpage = radians(15);
+/// What a bead would lose in score if all of its elements were warped.
+constexpr double warpage_cost = 0.5;
+
 /// Distance between a section of the bead and the elements across it, as a share of the size.
 constexpr double acceptable_deviation = 0.08;
 constexpr int most_across = 12;
+/// Two rows around the core follow a wall; the core needs two elements more.
+constexpr int least_across_of_two_bands = 6;
 /// What a cut across may lose of its width in clamps and hubs.
 constexpr double across_margin = 1.03;
 /// In minimum lengths: narrower beads may be too narrow for the corners of a clamp, though two elements fit
@@ -70,6 +78,7 @@ Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map,
 struct Judged {
   BeadMesh mesh;
   double score = 0;  ///< worst scaled Jacobian, less what the distance from the surface takes away
+  double rank = 0;   ///< the score, less what warped elements take away: the best of all attempts is kept
 };
 
 double score_of(const SmoothingReport& report, double size) {
@@ -114,9 +123,22 @@ void take_over_boundary(BeadMesh& mesh) {
   }
 }
 
-double shortest_edge(const PlanarMesh& mesh, const FaceStudy& study) {
+std::vector<Vec3> on_surface(const PlanarMesh& mesh, const FaceStudy& study) {
   std::vector<Vec3> nodes;
   for (const Vec2 p : mesh.nodes) nodes.push_back(study.lift(p));
+  return nodes;
+}
+
+double share_of_warped(const PlanarMesh& mesh, const FaceStudy& study) {
+  const std::vector<Vec3> nodes = on_surface(mesh, study);
+  const auto warped = std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const MeshElement& e) {
+    return warpage(nodes, e) > largest_warpage;
+  });
+  return mesh.elements.empty() ? 0 : double(warped) / double(mesh.elements.size());
+}
+
+double shortest_edge(const PlanarMesh& mesh, const FaceStudy& study) {
+  const std::vector<Vec3> nodes = on_surface(mesh, study);
   double shortest = 1e300;
   for (const MeshElement& element : mesh.elements)
     for (int i = 0; i < corner_count(element); ++i)
@@ -154,7 +176,9 @@ Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const Bea
   if (report.scaled_jacobian_min < acceptable_jacobian)
     return fail("mesh.bead.jacobian",
                 "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
-  return Judged{std::move(*mesh), score_of(report, options.size)};
+  const double score = score_of(report, options.size);
+  const double rank = score - warpage_cost * share_of_warped(mesh->mesh, study);
+  return Judged{std::move(*mesh), score, rank};
 }
 
 std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {
@@ -215,20 +239,8 @@ class BeadMesher {
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
     for (int m : counts_across()) {
       across_ = m;
-      for (int extra_rows : {0, 1, -1, 2}) {
-        if (extra_rows && options_.control.clamp_rows) break;
-        const BeadBlockOptions blocks{options_.size,
-                                      options_.min_edge,
-                                      m,
-                                      extra_rows,
-                                      options_.control.elements_along.value_or(0),
-                                      options_.control.clamp_rows.value_or(0)};
-        if (attempt("blocks", [&] {
-              return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map,
-                                 options_);
-            }))
-          return result();
-      }
+      for (int bands = m >= least_across_of_two_bands ? 2 : 1; bands >= 1; --bands)
+        if (armed_with(ridge, m, bands)) return result();
       // Fewer elements across only where no clamp would do.
       if (best_ && best_->score >= fair_score) return result();
     }
@@ -239,6 +251,26 @@ class BeadMesher {
   }
 
  private:
+  /// Variants of the clamps; true where one is good enough.
+  bool armed_with(const RidgeGraph& ridge, int elements_across, int bands) {
+    for (int extra_rows : {0, 1, -1, 2}) {
+      if (extra_rows && options_.control.clamp_rows) break;
+      const BeadBlockOptions blocks{options_.size,
+                                    options_.min_edge,
+                                    elements_across,
+                                    extra_rows,
+                                    options_.control.elements_along.value_or(0),
+                                    options_.control.clamp_rows.value_or(0),
+                                    bands};
+      if (attempt("blocks", [&] {
+            return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map,
+                               options_);
+          }))
+        return true;
+    }
+    return false;
+  }
+
   BeadMethod method() const { return options_.control.method.value_or(BeadMethod::automatic); }
 
   /// Elements across to be tried by blocks, best first; none where another method is asked for.
@@ -288,11 +320,12 @@ class BeadMesher {
       if (std::find(reasons_.begin(), reasons_.end(), reason) == reasons_.end()) reasons_.push_back(reason);
       return false;
     }
-    if (!best_ || judged->score > best_->score) {
+    const bool good = judged->score >= good_score;
+    if (!best_ || judged->rank > best_->rank) {
       best_ = std::move(*judged);
       if (best_->mesh.method == "blocks") best_->mesh.elements_across = across_;
     }
-    return best_->score >= good_score;
+    return good;
   }
 
   /// Reasons are told only where the first method failed altogether.

@@ -11,7 +11,7 @@ namespace {
 constexpr double surface_share = 0.08;
 
 /// Weight of crest edges among all places looked at: the crest is what the mesh is made for.
-constexpr double crest_weight = 3;
+constexpr double crest_weight = 8;
 
 /// Scaled Jacobian per corner and length of the side that starts there.
 struct Corners {
