@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -125,8 +126,19 @@ std::optional<Diagnostic> distortion_warning(const PlaneImage& image, Index numb
                     "split the face for truer ones"};
 }
 
-/// All faces in parallel; the table in the order of the faces.
-StudiedPanel study_panel(const Panel& panel, const BeadOptions& options, const Context& context) {
+/// Ladders of up to five windows. The paper's rule lets no bead have more than two loops, but what is shaped
+/// like one is meshed like one.
+constexpr int most_loops_meshed = 6;
+
+std::string too_many_loops(const FaceOutcome& face, int most) {
+  return "it has " + std::to_string(face.study->region.loops.size()) + " loops, a bead has at most " +
+         std::to_string(most);
+}
+
+/// All faces in parallel; the table in the order of the faces. Beads with more than `listed_loops` loops are
+/// not listed.
+StudiedPanel study_panel(const Panel& panel, const BeadOptions& options, int listed_loops,
+                         const Context& context) {
   std::vector<FaceOutcome> outcomes(panel.faces.size());
   std::atomic<int> done = 0;
   tbb::parallel_for(size_t(0), outcomes.size(), [&](size_t f) {
@@ -135,17 +147,22 @@ StudiedPanel study_panel(const Panel& panel, const BeadOptions& options, const C
   });
   StudiedPanel studied;
   studied.table.diagnostics = panel.diagnostics;
+  Index listed = 0;
   for (size_t f = 0; f < outcomes.size(); ++f) {
     FaceOutcome& face = outcomes[f];
     const Index number = panel.faces[f].number;
+    const bool is_listed = face.bead && face.bead->loops <= listed_loops;
     if (face.bead) {
-      face.bead->id = Index(studied.table.beads.size()) + 1;
+      face.bead->listed = is_listed;
+      if (is_listed) face.bead->id = ++listed;
       studied.table.medials.push_back(lifted(*face.study, *face.medial, number));
       studied.table.beads.push_back(std::move(*face.bead));
-    } else {
+    }
+    if (face.study && int(face.study->region.loops.size()) > listed_loops)
+      face.reason = too_many_loops(face, listed_loops);
+    if (!is_listed)
       for (const Index of_input : input_numbers(panel, {Index(f)}))
         studied.table.faces_not_beads.push_back({of_input, face.reason});
-    }
     if (face.diagnostic) studied.table.diagnostics.push_back(*face.diagnostic);
     studied.studies.push_back(std::move(face.study));
     studied.medials.push_back(std::move(face.medial));
@@ -177,13 +194,15 @@ Panel compose_faces(Panel panel, const BeadOptions& options, const Context& cont
 
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options, const Context& context) {
   const JobLimit limit(context.jobs);
-  return study_panel(panel, options, context).table;
+  return study_panel(panel, options, options.max_loops, context).table;
 }
 
 Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const BeadOptions& options,
                              const Context& context) {
   const JobLimit limit(context.jobs);
-  const StudiedPanel studied = study_panel(panel, options, context);
+  BeadOptions meshed = options;
+  meshed.max_loops = std::max(options.max_loops, most_loops_meshed);
+  const StudiedPanel studied = study_panel(panel, meshed, options.max_loops, context);
   return mesh_studied_panel(panel, studied,
                             {sizes.size, sizes.min_edge, sizes.thickness, sizes.beads, sizes.local}, context);
 }

@@ -198,5 +198,34 @@ TEST(Pipeline, AFaceWithoutAMedialObjectIsNamedAndDoesNotStopTheOthers) {
   EXPECT_FALSE(medials.diagnostics[0].hint.empty());
 }
 
+TEST(Pipeline, ALadderOfTwoWindowsIsMeshedByBlocksAndNotListed) {
+  BeadPlate plate(190, 150);
+  plate.add(examples::ladder_bead(3, 52, 56, 16, 8), 5);
+  const Panel panel = plate.take();
+  const auto mesh = mesh_panel(panel, {});
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_TRUE(mesh->table.beads.empty());
+  EXPECT_TRUE(mesh->meshing.empty());
+  EXPECT_TRUE(mesh->table.medials.empty());
+  EXPECT_TRUE(mesh->mesh.beads.empty());
+  ASSERT_FALSE(mesh->table.faces_not_beads.empty());
+  EXPECT_EQ(mesh->table.faces_not_beads[0].reason, "it has 3 loops, a bead has at most 2");
+  ASSERT_EQ(mesh->mesh.parts.size(), 1u);
+  EXPECT_EQ(mesh->mesh.parts[0].name, "sheet");
+  // By blocks nodes lie on the crest, 5 mm up.
+  const auto on_crest = std::count_if(mesh->mesh.nodes.begin(), mesh->mesh.nodes.end(),
+                                      [](const Vec3& p) { return p.z > 4.9; });
+  EXPECT_GT(on_crest, 60);
+  EXPECT_EQ(mesh->quality.edges_below_min, 0);
+  BeadOptions more;
+  more.max_loops = 3;
+  const auto listed = mesh_panel(panel, {}, more);
+  ASSERT_TRUE(listed);
+  ASSERT_EQ(listed->table.beads.size(), 1u);
+  EXPECT_EQ(listed->table.beads[0].id, 1);
+  EXPECT_EQ(listed->meshing[0].method, "blocks");
+  EXPECT_EQ(listed->mesh.nodes, mesh->mesh.nodes) << "the same mesh";
+}
+
 }  // namespace
 }  // namespace beadmesh

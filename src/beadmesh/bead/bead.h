@@ -18,7 +18,7 @@ struct RidgeCurve {
 };
 
 struct Bead {
-  Index id = 0;  ///< 1-based, in the order of the faces
+  Index id = 0;  ///< 1-based, in the order of the faces; 0 where it is not listed
   BeadKind kind = BeadKind::I;
   std::string shape;         ///< letter or word of the table in docs: I, arc, S, T, comb, ring, ...
   std::vector<Index> faces;  ///< indices in Panel::faces
@@ -30,6 +30,7 @@ struct Bead {
   double aspect_ratio = 0;  ///< mean over the medial edges of length / thickness
   int junctions = 0, ends = 0, medial_edges = 0;
   std::vector<RidgeCurve> ridge;
+  bool listed = true;  ///< false: more loops than a bead may have; only meshed as one
 };
 
 std::string name_of(BeadKind kind);

@@ -61,6 +61,7 @@ class PanelMesher {
     if (context_.is_cancelled()) return fail("mesh.cancelled", "cancelled");
     assemble();
     if (out_.mesh.elements.empty()) return fail("mesh.nothing", "no face of the panel could be meshed");
+    drop_unlisted();
     return std::move(out_);
   }
 
@@ -187,8 +188,10 @@ class PanelMesher {
     out_.meshing[b].elements_across = mesh.elements_across;
     for (const std::string& refusal : mesh.refusals) {
       out_.meshing[b].notes.push_back(refusal);
-      out_.table.diagnostics.push_back({"mesh.bead.control", Severity::warning, panel_.faces[face].number,
-                                        "bead " + std::to_string(studied_.table.beads[b].id), refusal, ""});
+      out_.table.diagnostics.push_back(
+          {"mesh.bead.control", Severity::warning, panel_.faces[face].number,
+           studied_.table.beads[b].listed ? "bead " + std::to_string(studied_.table.beads[b].id) : "",
+           refusal, ""});
     }
     out.mesh = std::move(mesh.mesh);
     face_meshes_[face] = std::move(out);
@@ -248,6 +251,7 @@ class PanelMesher {
       return;
     }
     meshing.method = "fallback";
+    if (!studied_.table.beads[b].listed) return;
     std::string why;
     for (const std::string& note : meshing.notes) why += (why.empty() ? "" : "; ") + note;
     out_.table.diagnostics.push_back(
@@ -301,6 +305,28 @@ class PanelMesher {
     out_.quality = summarise(shell.nodes, elements, options_.min_edge);
   }
 
+  Index listed_bead(Index face) const {
+    const Index b = bead_of_face_[face];
+    return b != no_index && studied_.table.beads[b].listed ? b : no_index;
+  }
+
+  /// What is only meshed like a bead is sheet to everybody else.
+  void drop_unlisted() {
+    size_t kept = 0;
+    for (size_t b = 0; b < out_.table.beads.size(); ++b) {
+      if (!out_.table.beads[b].listed) continue;
+      if (kept != b) {
+        out_.table.beads[kept] = std::move(out_.table.beads[b]);
+        out_.table.medials[kept] = std::move(out_.table.medials[b]);
+        out_.meshing[kept] = std::move(out_.meshing[b]);
+      }
+      ++kept;
+    }
+    out_.table.beads.resize(kept);
+    out_.table.medials.resize(kept);
+    out_.meshing.resize(kept);
+  }
+
   void add_face(Index face, std::vector<Index>& used) {
     const FaceMesh& mesh = *face_meshes_[face];
     ShellMesh& shell = out_.mesh;
@@ -321,7 +347,7 @@ class PanelMesher {
       global[n] = Index(shell.nodes.size());
       shell.nodes.push_back(map.surface_point(at));
     }
-    const Index b = bead_of_face_[face];
+    const Index b = listed_bead(face);
     const Index part = part_of(b);
     const Index first = Index(shell.elements.size());
     for (MeshElement element : mesh.mesh.elements) {

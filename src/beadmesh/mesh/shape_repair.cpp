@@ -6,7 +6,6 @@
 #include <set>
 
 #include "beadmesh/mesh/corner_pillow.h"
-#include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/mesh/node_motion.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/subdivision_mesher.h"
