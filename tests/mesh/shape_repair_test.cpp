@@ -82,6 +82,15 @@ TEST(ShapeRepair, NothingIsWorthAnEdgeUnderTheMinimum) {
   EXPECT_GT(worst_jacobian(mesh), 0.9);
 }
 
+TEST(ShapeRepair, AGivenEdgeUnderTheMinimumIsNotWorkedOn) {
+  PlanarMesh mesh = grid(6, 6, 5);
+  mesh.nodes[1] = {0.5, 0};  // on the boundary
+  ASSERT_LT(worst_jacobian(mesh), 0.8);
+  const PlanarMesh before = mesh;
+  EXPECT_EQ(repair_shapes(mesh, nullptr, {5, 2.5, 0.8}), 0);
+  EXPECT_EQ(mesh.nodes, before.nodes);
+}
+
 TEST(ShapeRepair, RaisesTheWorstShapeAndKeepsTheBoundary) {
   int poor = 0, mended = 0;
   for (const double radius : {9.0, 10.0, 11.0, 12.0, 13.0, 15.0, 16.0, 18.0, 21.0})

@@ -20,6 +20,7 @@ constexpr double clear_gain = 0.03;           ///< of the worst scaled Jacobian
 /// What an irregular node or a triangle more takes off the worst scaled Jacobian of a zone.
 constexpr double irregular_cost = 0.006, triangle_cost = 0.2;
 /// A mesh that is poor all over is not repaired zone by zone.
+constexpr int most_failures = 5;
 constexpr int fewest_zones = 40, share_of_elements = 100;
 
 /// Elements that are in the zone, ascending.
@@ -94,8 +95,12 @@ class ShapeRepair {
 
   int run() {
     int exchanged = 0;
-    for (const Index e : poor_elements())
-      if (connectivity_.is_alive(e) && shape_of(e) < options_.wanted && repair(e)) ++exchanged;
+    int failed = 0;
+    for (const Index e : poor_elements()) {
+      if (!connectivity_.is_alive(e) || shape_of(e) >= options_.wanted || is_near_given(e)) continue;
+      ++(repair(e) ? exchanged : failed);
+      if (failed == most_failures) break;
+    }
     if (exchanged > 0) write_back();
     return exchanged;
   }
@@ -104,6 +109,23 @@ class ShapeRepair {
   struct Worth {
     double worst = 1, shortest = 1e300, score = 0;
   };
+
+  /// A boundary with edges under the minimum is given: no mesh inside makes it better.
+  bool is_given(Index e) const {
+    const MeshElement& element = connectivity_.element(e);
+    for (int i = 0; i < corner_count(element); ++i) {
+      const Index a = element[i], b = element[(i + 1) % corner_count(element)];
+      if (mesh_.freedom[a] != NodeFreedom::fixed || mesh_.freedom[b] != NodeFreedom::fixed) continue;
+      const SurfaceNodes ends({mesh_.nodes[a], mesh_.nodes[b]}, map_);
+      if (distance(ends.space(0), ends.space(1)) < options_.min_edge * (1 - 1e-6)) return true;
+    }
+    return false;
+  }
+
+  bool is_near_given(Index e) const {
+    const ElementSet near = rings_around(connectivity_, e, 1);
+    return std::any_of(near.begin(), near.end(), [&](Index other) { return is_given(other); });
+  }
 
   double shape_of(Index e) const {
     const MeshElement& element = connectivity_.element(e);
