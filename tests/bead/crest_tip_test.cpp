@@ -97,15 +97,18 @@ StudiedBead walled_bead(double width, double height, double fillet, const Base& 
 
 /// On walls nearly upright a place in plan says little: the crest must not run past the tip and back.
 TEST(CrestTip, OnASteepWallTheCrestOnlyComesNearerToTheTip) {
-  for (const double rise : {-0.3, 0.3}) {
-    const StudiedBead bead = walled_bead(12, 4, 1, [=](Vec2 p) { return 0.25 * p.x + rise * p.y; });
-    const auto arm = arm_of(bead);
-    const auto tip = crest_tip(arm, bead.skeleton().nodes[0].radius, bead.study->region, bead.map());
-    ASSERT_TRUE(tip) << "slope " << rise;
-    double left = distance(arm[tip->kept].point, tip->point);
-    for (const Vec2 p : tip->crest) {
-      EXPECT_LT(distance(p, tip->point), left) << "slope " << rise;
-      left = distance(p, tip->point);
+  for (const double height : {3.0, 4.0, 6.0}) {
+    const StudiedBead bead = walled_bead(8, height, 0.4, [](Vec2 p) { return 0.25 * p.x + 0.12 * p.y; });
+    std::vector<MedialPoint> arm = arm_of(bead);
+    for (int end = 0; end < 2; ++end, std::reverse(arm.begin(), arm.end())) {
+      SCOPED_TRACE(std::to_string(height) + " high, end " + std::to_string(end));
+      const auto tip = crest_tip(arm, arm.front().radius, bead.study->region, bead.map());
+      ASSERT_TRUE(tip);
+      double left = distance(arm[tip->kept].point, tip->point);
+      for (const Vec2 p : tip->crest) {
+        EXPECT_LT(distance(p, tip->point), left);
+        left = distance(p, tip->point);
+      }
     }
   }
 }

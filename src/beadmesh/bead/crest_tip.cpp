@@ -149,8 +149,8 @@ class CrestTipFinder {
         const double h = frame_.height(guess) - (foot + (tip_height - foot) * share);
         guess = frame_.to_flat(plan_of({along, middle_aside(along) + lean_ * h}), guess);
       }
-      const double way = distance(last, guess) + distance(guess, tip.point);
-      if (way > most_detour * distance(last, tip.point) || is_steep_between(last, guess))
+      const double left = distance(last, tip.point), then = distance(guess, tip.point);
+      if (then >= left || distance(last, guess) + then > most_detour * left || is_steep_between(last, guess))
         return down_the_wall(tip, start);
       last = guess;
       tip.crest.push_back(guess);
