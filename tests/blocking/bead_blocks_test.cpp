@@ -30,7 +30,7 @@ void expect_blocks(const std::string& what, const PlanarRegion& region, int irre
   struct Variant {
     int across, bands;
   };
-  for (const auto& [m, bands] : {Variant{2, 1}, {4, 1}, {6, 1}, {6, 2}, {8, 3}}) {
+  for (const auto& [m, bands] : {Variant{2, 1}, {4, 1}, {4, 2}, {6, 1}, {6, 2}, {8, 3}}) {
     Blocked bead = blocked(region, m, bands);
     ASSERT_TRUE(bead.layout) << what << ": " << bead.layout.error().message;
     SCOPED_TRACE(what + ", " + std::to_string(m) + " across, " + std::to_string(bands) + " bands");

@@ -210,6 +210,10 @@ TEST(Pipeline, ALadderOfTwoWindowsIsMeshedByBlocksAndNotListed) {
   EXPECT_TRUE(mesh->mesh.beads.empty());
   ASSERT_FALSE(mesh->table.faces_not_beads.empty());
   EXPECT_EQ(mesh->table.faces_not_beads[0].reason, "it has 3 loops, a bead has at most 2");
+  const BeadTable alone = recognise_beads(panel);
+  ASSERT_EQ(mesh->table.faces_not_beads.size(), alone.faces_not_beads.size());
+  for (size_t i = 0; i < alone.faces_not_beads.size(); ++i)
+    EXPECT_EQ(mesh->table.faces_not_beads[i].reason, alone.faces_not_beads[i].reason);
   ASSERT_EQ(mesh->mesh.parts.size(), 1u);
   EXPECT_EQ(mesh->mesh.parts[0].name, "sheet");
   // By blocks nodes lie on the crest, 5 mm up.

@@ -97,6 +97,7 @@ class BeadBlocks {
         options_(options),
         builder_(region),
         loop_lengths_(loop_lengths_of(region)) {
+    options_.bands = std::clamp(options.bands, 1, std::max(1, options.elements_across / 2 - 1));
     for (size_t a = 0; a < ridge.arms.size(); ++a)
       arms_.emplace_back(skeleton.arms[a], ridge.arms[a], loop_lengths_);
     node_vertex_.assign(ridge.nodes.size(), no_index);

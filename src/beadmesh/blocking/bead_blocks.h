@@ -15,7 +15,7 @@ struct BeadBlockOptions {
   int extra_rows = 0;       ///< default 0: rows along the clamps beyond the best number for the size
   int elements_along = 0;   ///< default 0: from the size; on the strip of every arm
   int clamp_rows = 0;       ///< default 0: from the size; p of figure 15a
-  int bands = 1;            ///< default 1: rows around the cores of the clamps
+  int bands = 1;  ///< default 1: rows around the cores of the clamps; fewer where no core would be left
 };
 
 /// I-beads by the split lines of section 4.2 and the clamp of figure 15a; every arm of a generic bead
