@@ -29,6 +29,7 @@ Result<QualityCriteria> read_criteria(const std::string& name) {
     return fail("criteria.unreadable", "far too long for a criteria file", "", name);
   std::ifstream in(name, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) return fail("criteria.unreadable", "the criteria file cannot be read", "", name);
   auto parsed = parse_criteria(text);
   if (!parsed) return fail(parsed.error().code, parsed.error().message, parsed.error().hint, name);
   std::vector<Diagnostic> notes;
