@@ -5,37 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadmesh/mesh/element_quality.h"
+#include "mesh/sample_quads.h"
 
 namespace beadmesh {
 namespace {
 
+using sample::worst_jacobian;
+
 /// A grid whose lower left corner is bent open until its boundary runs nearly straight through it.
 PlanarMesh grid_with_flat_corner(int n, double step, double corner_degrees) {
-  PlanarMesh mesh;
+  PlanarMesh mesh = sample::grid(n, n, 1);
   const double half = radians(corner_degrees) / 2;
   const Vec2 u{std::sin(half), std::cos(half)}, v{-std::sin(half), std::cos(half)};
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) {
-      const double bulge = 1.2 * step * i * j / n;  // the grid must reach in behind the flat corner
-      mesh.nodes.push_back((u * i + v * j) * step + Vec2{0, bulge});
-      const bool boundary = i == 0 || j == 0 || i == n || j == n;
-      mesh.freedom.push_back(boundary ? NodeFreedom::fixed : NodeFreedom::free);
-    }
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const Index a = j * (n + 1) + i;
-      mesh.elements.push_back({a, a + 1, a + n + 2, a + n + 1});
-    }
+  for (Vec2& p : mesh.nodes) {
+    const double bulge = 1.2 * step * p.x * p.y / n;  // the grid must reach in behind the flat corner
+    p = (u * p.x + v * p.y) * step + Vec2{0, bulge};
+  }
   return mesh;
-}
-
-double worst_jacobian(const PlanarMesh& mesh) {
-  std::vector<Vec3> space;
-  for (Vec2 p : mesh.nodes) space.push_back({p.x, p.y, 0});
-  double worst = 1;
-  for (const MeshElement& e : mesh.elements) worst = std::min(worst, scaled_jacobian(space, e));
-  return worst;
 }
 
 TEST(CornerPillow, RelievesAFlatCorner) {

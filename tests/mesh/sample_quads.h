@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/mesh/planar_mesh.h"
 
 namespace beadmesh::sample {
@@ -109,6 +110,13 @@ inline std::vector<Vec3> lifted(const PlanarMesh& mesh) {
   std::vector<Vec3> nodes;
   for (const Vec2 p : mesh.nodes) nodes.push_back({p.x, p.y, 0});
   return nodes;
+}
+
+inline double worst_jacobian(const PlanarMesh& mesh) {
+  const std::vector<Vec3> nodes = lifted(mesh);
+  double worst = 1;
+  for (const MeshElement& e : mesh.elements) worst = std::min(worst, scaled_jacobian(nodes, e));
+  return worst;
 }
 
 }  // namespace beadmesh::sample

@@ -5,20 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/subdivision_mesher.h"
+#include "mesh/sample_quads.h"
 
 namespace beadmesh {
 namespace {
 
-double worst_jacobian(const PlanarMesh& mesh) {
-  std::vector<Vec3> space;
-  for (Vec2 p : mesh.nodes) space.push_back({p.x, p.y, 0});
-  double worst = 1;
-  for (const MeshElement& e : mesh.elements) worst = std::min(worst, scaled_jacobian(space, e));
-  return worst;
-}
+using sample::grid;
+using sample::worst_jacobian;
 
 double shortest_edge(const PlanarMesh& mesh) {
   double shortest = 1e300;
@@ -26,22 +21,6 @@ double shortest_edge(const PlanarMesh& mesh) {
     for (int i = 0; i < corner_count(e); ++i)
       shortest = std::min(shortest, distance(mesh.nodes[e[i]], mesh.nodes[e[(i + 1) % corner_count(e)]]));
   return shortest;
-}
-
-PlanarMesh grid(int columns, int rows, double step) {
-  PlanarMesh mesh;
-  for (int j = 0; j <= rows; ++j)
-    for (int i = 0; i <= columns; ++i) {
-      mesh.nodes.push_back({i * step, j * step});
-      const bool boundary = i == 0 || j == 0 || i == columns || j == rows;
-      mesh.freedom.push_back(boundary ? NodeFreedom::fixed : NodeFreedom::free);
-    }
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      const Index a = j * (columns + 1) + i;
-      mesh.elements.push_back({a, a + 1, a + columns + 2, a + columns + 1});
-    }
-  return mesh;
 }
 
 /// The sheet inside a hook: a half disc with nodes about 5 mm apart, its corners cut off by a bead's arc, and

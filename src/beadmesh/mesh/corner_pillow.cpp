@@ -6,6 +6,7 @@
 #include <set>
 
 #include "beadmesh/mesh/element_quality.h"
+#include "beadmesh/mesh/element_zone.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/surface_nodes.h"
 
@@ -50,31 +51,6 @@ Block block_around(const PlanarMesh& mesh, const std::vector<std::vector<Index>>
     block = std::move(grown);
   }
   return block;
-}
-
-/// Edges with the block on their left and something else, or nothing, on their right.
-std::vector<std::array<Index, 2>> outline_of(const PlanarMesh& mesh, const Block& block) {
-  std::set<std::array<Index, 2>> edges;
-  for (Index e : block) {
-    const MeshElement& element = mesh.elements[e];
-    const int count = corner_count(element);
-    for (int k = 0; k < count; ++k) edges.insert({element[k], element[(k + 1) % count]});
-  }
-  std::vector<std::array<Index, 2>> outline;
-  for (const auto& edge : edges)
-    if (!edges.count({edge[1], edge[0]})) outline.push_back(edge);
-  return outline;
-}
-
-/// One closed line through every node once: only then does the ring close around the block.
-bool is_simple_loop(const std::vector<std::array<Index, 2>>& outline) {
-  std::map<Index, Index> next;
-  for (const auto& edge : outline)
-    if (!next.emplace(edge[0], edge[1]).second) return false;
-  size_t walked = 0;
-  for (Index at = outline[0][0]; walked == 0 || at != outline[0][0]; at = next.at(at))
-    if (!next.count(at) || ++walked > outline.size()) return false;
-  return walked == outline.size();
 }
 
 void pillow(PlanarMesh& mesh, const Block& block, const std::vector<std::array<Index, 2>>& outline) {
@@ -123,8 +99,11 @@ class Reliever {
     std::vector<Relief> out;
     for (Block& block : blocks) {
       Relief relief{std::move(block), {}, 1};
-      relief.outline = outline_of(original_, relief.block);
-      if (!is_simple_loop(relief.outline) || has_crest(relief.block)) continue;
+      std::vector<MeshElement> own;
+      for (const Index e : relief.block) own.push_back(original_.elements[e]);
+      relief.outline = outline_of(own);
+      // Only then does the ring close around the block.
+      if (!closed_loop(relief.outline) || has_crest(relief.block)) continue;
       for (Index e : relief.block)
         relief.before = std::min(relief.before, scaled_jacobian(space, original_.elements[e]));
       out.push_back(std::move(relief));

@@ -1,5 +1,7 @@
 #include "beadmesh/mesh/mesh_editor.h"
 
+#include "beadmesh/mesh/element_zone.h"
+
 #include <algorithm>
 
 namespace beadmesh {
@@ -304,22 +306,14 @@ bool MeshEditor::try_replace(const Replacement& edit, EditAim aim, std::vector<I
 }
 
 std::vector<Index> MeshEditor::write_back(PlanarMesh& mesh) const {
-  std::vector<Index> number(mesh_.node_count(), no_index);
-  PlanarMesh result;
-  for (Index node = 0; node < mesh_.node_count(); ++node) {
-    if (mesh_.star(node).empty()) continue;
-    number[node] = static_cast<Index>(result.nodes.size());
-    result.nodes.push_back(nodes_.flat(node));
-    result.freedom.push_back(node < mesh.freedom.size() ? mesh.freedom[node] : NodeFreedom::free);
-  }
-  for (Index e = 0; e < mesh_.element_count(); ++e) {
-    if (!mesh_.is_alive(e)) continue;
-    MeshElement element = mesh_.element(e);
-    for (int i = 0; i < corner_count(element); ++i) element[i] = number[element[i]];
-    result.elements.push_back(element);
-  }
+  std::vector<Vec2> places;
+  for (Index node = 0; node < mesh_.node_count(); ++node) places.push_back(nodes_.flat(node));
+  std::vector<NodeFreedom> freedom = mesh.freedom;
+  freedom.resize(mesh_.node_count(), NodeFreedom::free);
+  std::vector<Index> number;
+  PlanarMesh living = living_part(mesh_, places, freedom, number);
   number.resize(mesh.nodes.size());
-  mesh = std::move(result);
+  mesh = std::move(living);
   return number;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "beadmesh/mesh/corner_pillow.h"
+#include "beadmesh/mesh/element_zone.h"
 #include "beadmesh/mesh/node_motion.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/subdivision_mesher.h"
@@ -14,43 +15,15 @@
 namespace beadmesh {
 namespace {
 
-constexpr int most_rings = 6, most_rounds = 3;
+constexpr int fewest_rings = 2, most_rings = 6, most_rounds = 3;
 constexpr double flat_corner = radians(138);  ///< a single quad there has a scaled Jacobian under 0.67
 constexpr double clear_gain = 0.03;           ///< of the worst scaled Jacobian
 /// What an irregular node or a triangle more takes off the worst scaled Jacobian of a zone.
 constexpr double irregular_cost = 0.006, triangle_cost = 0.2;
-/// A mesh that is poor all over is not repaired zone by zone.
+/// A mesh that is poor all over is not repaired zone by zone: zones looked at in a round, and zones tried in
+/// vain in all.
 constexpr int most_failures = 5;
 constexpr int fewest_zones = 40, share_of_elements = 100;
-
-/// Elements that are in the zone, ascending.
-using ElementSet = std::vector<Index>;
-
-ElementSet rings_around(const QuadConnectivity& mesh, Index element, int rings) {
-  std::set<Index> zone{element};
-  for (int ring = 0; ring < rings; ++ring) {
-    std::set<Index> grown = zone;
-    for (const Index e : zone)
-      for (int i = 0; i < corner_count(mesh.element(e)); ++i) {
-        const auto& star = mesh.star(mesh.element(e)[i]);
-        grown.insert(star.begin(), star.end());
-      }
-    zone = std::move(grown);
-  }
-  return {zone.begin(), zone.end()};
-}
-
-/// Directed edges with the elements on their left and none of them on their right, by start; nothing where a
-/// node starts two of them.
-std::optional<std::map<Index, Index>> outline_of(const std::vector<MeshElement>& elements) {
-  std::set<std::array<Index, 2>> edges;
-  for (const MeshElement& e : elements)
-    for (int i = 0; i < corner_count(e); ++i) edges.insert({e[i], e[(i + 1) % corner_count(e)]});
-  std::map<Index, Index> next;
-  for (const auto& [a, b] : edges)
-    if (!edges.count({b, a}) && !next.emplace(a, b).second) return std::nullopt;
-  return next;
-}
 
 /// A few elements of a mesh as a mesh of their own, everything on their outline fixed.
 struct Zone {
@@ -58,19 +31,16 @@ struct Zone {
   std::vector<Index> original;  ///< of the fixed nodes, which come first
 };
 
-Zone zone_of(const PlanarMesh& whole, const QuadConnectivity& connectivity, const ElementSet& elements) {
-  std::set<std::array<Index, 2>> edges;
+Zone zone_of(const PlanarMesh& whole, const QuadConnectivity& connectivity,
+             const std::vector<Index>& elements) {
+  std::vector<MeshElement> own;
+  for (const Index e : elements) own.push_back(connectivity.element(e));
   std::set<Index> fixed, free;
-  for (const Index e : elements) {
-    const MeshElement& element = connectivity.element(e);
-    for (int i = 0; i < corner_count(element); ++i) {
-      edges.insert({element[i], element[(i + 1) % corner_count(element)]});
+  for (const MeshElement& element : own)
+    for (int i = 0; i < corner_count(element); ++i)
       (whole.freedom[element[i]] == NodeFreedom::free ? free : fixed).insert(element[i]);
-    }
-  }
-  for (const auto& [a, b] : edges)
-    if (!edges.count({b, a}))
-      for (const Index n : {a, b}) free.erase(n), fixed.insert(n);
+  for (const auto& edge : outline_of(own))
+    for (const Index n : edge) free.erase(n), fixed.insert(n);
   Zone zone;
   std::map<Index, Index> local;
   const auto add = [&](Index n, NodeFreedom freedom) {
@@ -80,11 +50,9 @@ Zone zone_of(const PlanarMesh& whole, const QuadConnectivity& connectivity, cons
   };
   for (const Index n : fixed) add(n, NodeFreedom::fixed), zone.original.push_back(n);
   for (const Index n : free) add(n, NodeFreedom::free);
-  for (const Index e : elements) {
-    MeshElement element = connectivity.element(e);
+  for (MeshElement& element : own)
     for (int i = 0; i < corner_count(element); ++i) element[i] = local[element[i]];
-    zone.mesh.elements.push_back(element);
-  }
+  zone.mesh.elements = std::move(own);
   return zone;
 }
 
@@ -93,15 +61,16 @@ class ShapeRepair {
   ShapeRepair(PlanarMesh& mesh, const SurfaceMap* map, const ShapeRepairOptions& options)
       : mesh_(mesh), connectivity_(mesh), map_(map), options_(options) {}
 
-  int run() {
+  /// One round; counts what it tries in vain in `failed`.
+  int run(int& failed) {
     int exchanged = 0;
-    int failed = 0;
     for (const Index e : poor_elements()) {
+      if (failed >= most_failures) break;
       if (!connectivity_.is_alive(e) || shape_of(e) >= options_.wanted || is_near_given(e)) continue;
       ++(repair(e) ? exchanged : failed);
-      if (failed == most_failures) break;
     }
-    if (exchanged > 0) write_back();
+    std::vector<Index> number;
+    if (exchanged > 0) mesh_ = living_part(connectivity_, mesh_.nodes, mesh_.freedom, number);
     return exchanged;
   }
 
@@ -110,7 +79,8 @@ class ShapeRepair {
     double worst = 1, shortest = 1e300, score = 0;
   };
 
-  /// A boundary with edges under the minimum is given: no mesh inside makes it better.
+  /// A boundary with edges under the minimum, or a face narrower than that, is given: no mesh inside makes it
+  /// better.
   bool is_given(Index e) const {
     const MeshElement& element = connectivity_.element(e);
     for (int i = 0; i < corner_count(element); ++i) {
@@ -123,7 +93,7 @@ class ShapeRepair {
   }
 
   bool is_near_given(Index e) const {
-    const ElementSet near = rings_around(connectivity_, e, 1);
+    const std::vector<Index> near = elements_within(connectivity_, e, fewest_rings);
     return std::any_of(near.begin(), near.end(), [&](Index other) { return is_given(other); });
   }
 
@@ -193,17 +163,9 @@ class ShapeRepair {
     PlanarMesh out{zone.nodes, zone.freedom, {}};
     for (size_t e = 0; e < zone.elements.size(); ++e)
       (inside[e] ? removed : out.elements).push_back(zone.elements[e]);
-    const auto next = outline_of(removed);
-    if (!next || next->empty()) return std::nullopt;
-    std::vector<Index> loop;
-    Index at = next->begin()->first;
-    do {
-      loop.push_back(at);
-      const auto found = next->find(at);
-      if (found == next->end()) return std::nullopt;
-      at = found->second;
-    } while (at != loop.front() && loop.size() <= next->size());
-    if (loop.size() != next->size() || loop.size() % 2) return std::nullopt;
+    const auto closed = closed_loop(outline_of(removed));
+    if (!closed || closed->size() % 2) return std::nullopt;
+    std::vector<Index> loop = *closed;
     if (has_fixed_inside(zone, removed, loop)) return std::nullopt;
     NodeLoops loops;
     loops.loops.emplace_back();
@@ -236,22 +198,22 @@ class ShapeRepair {
   }
 
   struct Candidate {
-    ElementSet elements;
+    std::vector<Index> elements;
     std::vector<Index> original;
     PlanarMesh mesh;
     double worst = 0;
   };
 
   /// The best that can be made of the elements within so many rings; nothing where it is not clearly better.
-  std::optional<Candidate> best_zone(Index seed, int rings) const {
-    const ElementSet elements = rings_around(connectivity_, seed, rings);
+  std::optional<Candidate> best_zone(Index seed, const std::vector<Index>& elements, int rings) const {
     Zone zone = zone_of(mesh_, connectivity_, elements);
     const Worth before = worth_of(zone.mesh);
     Worth worth = before;
     std::optional<PlanarMesh> best;
     polish(zone.mesh, before, best, worth);
     for (int inner = 1; inner < rings; ++inner) {
-      const ElementSet core = rings_around(connectivity_, seed, inner);
+      const std::vector<Index> core = elements_within(connectivity_, seed, inner);
+      if (core.size() == elements.size()) break;
       std::vector<bool> inside;
       for (const Index e : elements) inside.push_back(std::binary_search(core.begin(), core.end(), e));
       if (auto anew = meshed_anew(zone.mesh, inside)) polish(std::move(*anew), before, best, worth);
@@ -263,8 +225,12 @@ class ShapeRepair {
   /// Larger zones only where none smaller comes right.
   bool repair(Index seed) {
     std::optional<Candidate> best;
-    for (int rings = 2; rings <= most_rings && (!best || best->worst < options_.wanted); ++rings) {
-      auto candidate = best_zone(seed, rings);
+    size_t before = 0;
+    for (int rings = fewest_rings; rings <= most_rings && (!best || best->worst < options_.wanted); ++rings) {
+      const std::vector<Index> elements = elements_within(connectivity_, seed, rings);
+      if (elements.size() == before) break;  // the whole mesh
+      before = elements.size();
+      auto candidate = best_zone(seed, elements, rings);
       if (candidate && (!best || candidate->worst > best->worst)) best = std::move(candidate);
     }
     if (best) exchange(*best);
@@ -286,26 +252,6 @@ class ShapeRepair {
     }
   }
 
-  /// Without the nodes and elements that are gone.
-  void write_back() {
-    std::vector<Index> number(mesh_.nodes.size(), no_index);
-    PlanarMesh out;
-    for (Index n = 0; n < Index(mesh_.nodes.size()); ++n) {
-      if (connectivity_.star(n).empty()) continue;
-      number[n] = Index(out.nodes.size());
-      out.nodes.push_back(mesh_.nodes[n]);
-      out.freedom.push_back(mesh_.freedom[n]);
-    }
-    for (Index e = 0; e < connectivity_.element_count(); ++e) {
-      if (!connectivity_.is_alive(e)) continue;
-      MeshElement element = connectivity_.element(e);
-      for (Index& n : element)
-        if (n != no_index) n = number[n];
-      out.elements.push_back(element);
-    }
-    mesh_ = std::move(out);
-  }
-
   PlanarMesh& mesh_;
   QuadConnectivity connectivity_;
   const SurfaceMap* map_;
@@ -315,9 +261,9 @@ class ShapeRepair {
 }  // namespace
 
 int repair_shapes(PlanarMesh& mesh, const SurfaceMap* map, const ShapeRepairOptions& options) {
-  int exchanged = 0;
+  int exchanged = 0, failed = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    const int now = ShapeRepair(mesh, map, options).run();
+    const int now = ShapeRepair(mesh, map, options).run(failed);
     exchanged += now;
     if (now == 0) break;
   }
