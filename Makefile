@@ -2,7 +2,7 @@
 PROGRAM := build/release/apps/beadmesh/beadmesh
 MAKE_PANEL := build/release/examples/make_example_panel
 
-.PHONY: demo test build program packages
+.PHONY: demo test build program packages test-packages
 
 demo: program
 	@mkdir -p demo
@@ -17,7 +17,7 @@ demo: program
 	  '  floor.html   the picture: beads by kind, medial axes, mesh (open it in a browser)' \
 	  '  medial.svg   the medial object of one bead'
 
-test: build
+test: test-packages build
 	ctest --preset release
 
 build: packages
@@ -29,4 +29,7 @@ program: packages
 	cmake --build --preset release --parallel "$$(nproc)" --target beadmesh_app make_example_panel
 
 packages:
-	@scripts/install_packages.sh
+	@scripts/install_packages.sh apt-packages.txt
+
+test-packages:
+	@scripts/install_packages.sh apt-packages.txt apt-packages-test.txt

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of apt-packages.txt that are missing.
+# Installs the Debian packages of the lists that are missing.
+#   install_packages.sh LIST...     for example apt-packages.txt; one package a line, # begins a comment
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -7,7 +8,7 @@ missing=()
 while read -r package; do
   [[ -z $package || $package == \#* ]] && continue
   [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
-done < apt-packages.txt
+done < <(cat "$@")
 [[ ${#missing[@]} -eq 0 ]] && exit 0
 
 fail() {
