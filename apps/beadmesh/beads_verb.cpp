@@ -19,12 +19,14 @@ Result<int> run_beads(const Options& options) {
   if (!panel) return tl::make_unexpected(panel.error());
   panel = compose_faces(std::move(*panel), options.settings.beads, context);
   const BeadTable table = recognise_beads(*panel, options.settings.beads, context);
-  bar.clear();
+  context.report("write", 0);
 
   Outputs outputs;
   outputs.add(options.outputs.json, [&](std::ostream& out) { out << bead_json(*panel, table); });
   outputs.add(options.outputs.csv, [&](std::ostream& out) { out << bead_csv(*panel, table); });
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
+  bar.clear();
+  if (options.timings) fmt::print(stderr, "{}", timing_table(bar.stages()));
   if (!outputs.uses_stdout()) fmt::print("{}", bead_summary(*panel, table));
   return print_diagnostics(table.diagnostics) ? fell_short : done;
 }

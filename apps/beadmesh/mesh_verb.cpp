@@ -85,7 +85,7 @@ Result<int> run_mesh(const Options& options) {
   if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());
   auto mesh = mesh_panel(*panel, sizes, options.settings.beads, context);
   if (!mesh) return tl::make_unexpected(mesh.error());
-  bar.clear();
+  context.report("write", 0);
 
   mesh->mesh.title =
       fmt::format("{}, size {:g} mm, minimum edge {:g} mm", panel->input, sizes.size, sizes.min_edge);
@@ -95,6 +95,8 @@ Result<int> run_mesh(const Options& options) {
   Outputs outputs = outputs_of(options, *panel, *mesh);
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
 
+  bar.clear();
+  if (options.timings) fmt::print(stderr, "{}", timing_table(bar.stages()));
   if (!outputs.uses_stdout()) print_summary(*panel, *mesh, outputs, start);
   const bool any_error = print_diagnostics(mesh->table.diagnostics);
   return any_error || !short_of.empty() ? fell_short : done;

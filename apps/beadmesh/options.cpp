@@ -18,7 +18,7 @@ struct RawOptions {
   std::string input, config, face = "all", method, criteria;
   std::vector<std::string> beads, local_sizes;
   OutputNames outputs;
-  bool feet = false;
+  bool feet = false, timings = false;
   SettingsLayer flags;
 };
 
@@ -32,6 +32,7 @@ void add_common(CLI::App& verb, RawOptions& raw) {
   verb.add_option("--json", raw.outputs.json, "bead table as JSON; - for standard output");
   verb.add_option("--config", raw.config, "settings from a TOML file; options given here win");
   verb.add_option("--jobs", raw.flags.jobs, "threads (default: all cores)");
+  verb.add_flag("--timings", raw.timings, "print the time of each stage and the memory on standard error");
   add_unit(verb, raw);
 }
 
@@ -158,6 +159,7 @@ Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
   options.input = raw.input;
   options.outputs = raw.outputs;
   options.feet = raw.feet;
+  options.timings = raw.timings;
   options.has_size = raw.flags.size.has_value();
   options.has_min_edge = raw.flags.min_edge.has_value();
   options.criteria = raw.criteria;

@@ -14,8 +14,10 @@ ProgressBar::ProgressBar() : on_terminal_(::isatty(STDERR_FILENO) != 0) {}
 Context ProgressBar::context(int jobs) {
   Context context;
   context.jobs = jobs;
-  if (on_terminal_)
-    context.progress = [this](std::string_view stage, double fraction) { draw(stage, fraction); };
+  context.progress = [this](std::string_view stage, double fraction) {
+    clock_.enter(stage);
+    if (on_terminal_) draw(stage, fraction);
+  };
   return context;
 }
 
@@ -33,6 +35,7 @@ void ProgressBar::draw(std::string_view stage, double fraction) {
 }
 
 void ProgressBar::clear() {
+  clock_.stop();
   if (shown_.empty()) return;
   shown_.clear();
   fmt::print(stderr, "\r\x1b[K");

@@ -141,6 +141,7 @@ StudiedPanel study_panel(const Panel& panel, const BeadOptions& options, int lis
                          const Context& context) {
   std::vector<FaceOutcome> outcomes(panel.faces.size());
   std::atomic<int> done = 0;
+  context.report("recognise", 0);
   tbb::parallel_for(size_t(0), outcomes.size(), [&](size_t f) {
     if (!context.is_cancelled()) outcomes[f] = study_one(panel, Index(f), options);
     context.report("recognise", double(++done) / double(outcomes.size()));
@@ -186,8 +187,10 @@ class JobLimit {
 Panel compose_faces(Panel panel, const BeadOptions& options, const Context& context) {
   CompositeOptions composite;
   composite.bead = options;
+  context.report("compose", 0);
   const auto sheets = joined_sheets(panel, {}, context);
   panel = with_merged_faces(std::move(panel), sheets);
+  context.report("compose", 0.3);
   const auto features = composite_faces(panel, composite, context);
   return with_merged_faces(std::move(panel), features);
 }

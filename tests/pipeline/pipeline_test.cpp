@@ -81,7 +81,7 @@ TEST(Pipeline, ProgressEndsAtOne) {
   Context context;
   context.progress = [&](std::string_view stage, double fraction) {
     const std::lock_guard lock(mutex);
-    (stage == "mesh" ? meshed : recognised) = std::max(fraction, stage == "mesh" ? meshed : recognised);
+    (stage == "sheet" ? meshed : recognised) = std::max(fraction, stage == "sheet" ? meshed : recognised);
   };
   ASSERT_TRUE(mesh_panel(plate_of_every_kind(), {}, {}, context));
   EXPECT_EQ(recognised, 1);

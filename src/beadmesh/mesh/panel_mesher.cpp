@@ -55,10 +55,13 @@ class PanelMesher {
   }
 
   Result<PanelMesh> run() {
+    context_.report("beads", 0);
     mesh_beads();
+    context_.report("sheet", 0);
     place_remaining_chains();
     mesh_faces();
     if (context_.is_cancelled()) return fail("mesh.cancelled", "cancelled");
+    context_.report("assemble", 0);
     assemble();
     if (out_.mesh.elements.empty()) return fail("mesh.nothing", "no face of the panel could be meshed");
     drop_unlisted();
@@ -76,9 +79,11 @@ class PanelMesher {
     std::vector<std::optional<BeadMesh>> meshes(out_.meshing.size());
     std::vector<size_t> single, shared;
     for (size_t g = 0; g < groups.size(); ++g) (groups[g].size() == 1 ? single : shared).push_back(g);
+    std::atomic<int> done = 0;
     tbb::parallel_for(size_t(0), single.size(), [&](size_t i) {
       const Index b = groups[single[i]][0];
       meshes[b] = attempt_bead(b);
+      context_.report("beads", double(++done) / double(groups.size()));
     });
     for (Index b = 0; b < Index(meshes.size()); ++b)
       if (meshes[b]) accept(b, std::move(*meshes[b]));
@@ -232,7 +237,7 @@ class PanelMesher {
     tbb::parallel_for(size_t(0), panel_.faces.size(), [&](size_t f) {
       if (!face_meshes_[f] && studied_.studies[f] && !context_.is_cancelled())
         reasons[f] = mesh_one_face(Index(f));
-      context_.report("mesh", double(++done) / double(panel_.faces.size()));
+      context_.report("sheet", double(++done) / double(panel_.faces.size()));
     });
     for (size_t f = 0; f < reasons.size(); ++f) {
       if (!reasons[f].empty())

@@ -38,7 +38,7 @@ Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOption
   Result<CadModel> model = load_cad_model(path, options);
   if (!model) return named(model.error(), path);
   sew(*model, options.sew_tolerance);
-  context.report("read", 0.5);
+  context.report("facets", 0);
   CadTopology topology = topology_of(*model);
   const std::vector<FaceNodes> faces = facet_faces(topology, options, context);
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -51,7 +51,7 @@ Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOption
                     ? "the only face cannot be facetted: " + faces.front().defect
                     : "none of the " + std::to_string(model->faces.size()) + " faces can be facetted",
                 "repair the faces in the CAD system", path.filename().string());
-  context.report("read", 1);
+  context.report("facets", 1);
   return panel;
 }
 
