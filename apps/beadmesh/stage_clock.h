@@ -9,8 +9,8 @@
 
 namespace beadmesh::app {
 
-/// A stage lasts from its first report to the first report of another one. Stages follow each other; within one
-/// any thread may report.
+/// A stage lasts from its first report to the first report of another one. Stages follow each other; within
+/// one any thread may report.
 class StageClock {
  public:
   struct Stage {

@@ -179,6 +179,16 @@ class StandardOutput(Case):
                 self.assertEqual(0, result.returncode, result.stderr)
                 self.assertTrue(json.loads(result.stdout)["schema"].startswith("beadmesh."))
 
+    def test_timings_go_to_standard_error(self):
+        result = run("mesh", example("basic"), "-o", self.folder / "panel.bdf", "--json", "-", "--timings")
+        self.assertEqual(0, result.returncode, result.stderr)
+        json.loads(result.stdout)
+        rows = [line.split() for line in result.stderr.splitlines()]
+        self.assertEqual(["stage", "read", "facets", "compose", "recognise", "beads", "sheet", "assemble", "write", "all",
+                          "memory"], [row[0] for row in rows])
+        self.assertAlmostEqual(float(rows[-2][1]), sum(float(row[1]) for row in rows[1:-2]), delta=0.01)
+        self.assertGreater(float(rows[-2][2]), 0)
+
     def test_csv_has_a_row_a_bead(self):
         result = run("beads", example("basic"), "--csv", "-")
         self.assertEqual(0, result.returncode, result.stderr)
