@@ -42,6 +42,12 @@ FacetPoint facet_point_of(Index triangle, const std::array<double, 3>& weight) {
 
 }  // namespace
 
+/// A triangle as point location wants it: all in one place.
+struct FlatTriangle {
+  Vec2 a, b, c;
+  double area = 0;  ///< doubled; 0: too thin to hold anything
+};
+
 /// Uniform cells over the flat image; each lists the triangles whose bounding boxes touch it, ascending.
 struct SurfaceMap::Grid {
   const Facets& facets;
@@ -50,6 +56,7 @@ struct SurfaceMap::Grid {
   std::vector<std::pair<Index, int>> boundary_sides;  ///< (triangle, side)
   SegmentSearch boundary;                             ///< over boundary_sides
   std::vector<Vec3> normals;
+  std::vector<FlatTriangle> triangles;
   Vec2 low;
   double cell = 1;
   Index columns = 1, rows = 1;
@@ -62,6 +69,7 @@ struct SurfaceMap::Grid {
         boundary_sides(sides_without_neighbour(neighbours)),
         boundary(boundary_segments()),
         normals(vertex_normals(of)) {
+    for (const Triangle& t : facets.triangles) triangles.push_back(flat_triangle(t));
     lay_out();
     fill();
   }
@@ -127,18 +135,20 @@ struct SurfaceMap::Grid {
       for_each_cell(facets.triangles[t], [&](Index i) { items[next[i]++] = t; });
   }
 
-  std::array<Vec2, 3> corners(Index t) const {
-    const Triangle& v = facets.triangles[t];
-    return {flat[v[0]], flat[v[1]], flat[v[2]]};
+  FlatTriangle flat_triangle(const Triangle& v) const {
+    FlatTriangle t{flat[v[0]], flat[v[1]], flat[v[2]], 0};
+    const double area = cross(t.b - t.a, t.c - t.a);
+    const double longest =
+        std::max({squared_norm(t.b - t.a), squared_norm(t.c - t.b), squared_norm(t.a - t.c)});
+    if (area > degenerate * longest) t.area = area;
+    return t;
   }
 
   /// Barycentric weights times the doubled area, which is returned; not positive: the triangle holds nothing.
   double scaled_weights(Index t, Vec2 p, std::array<double, 3>& weight) const {
-    const auto [a, b, c] = corners(t);
+    const auto& [a, b, c, area] = triangles[t];
     weight = {cross(c - b, p - b), cross(a - c, p - c), cross(b - a, p - a)};
-    const double area = cross(b - a, c - a);
-    const double longest = std::max({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)});
-    return area > degenerate * longest ? area : 0;
+    return area;
   }
 
   /// Does t hold p? Fills `at`.
@@ -251,10 +261,8 @@ Vec3 SurfaceMap::normal(const FacetPoint& at) const {
 }
 
 double SurfaceMap::stretch(const FacetPoint& at, Vec2 direction) const {
-  const auto [a, b, c] = grid_->corners(at.triangle);
+  const auto& [a, b, c, area] = grid_->triangles[at.triangle];
   const Triangle& t = facets_->triangles[at.triangle];
-  std::array<double, 3> weight;
-  const double area = grid_->scaled_weights(at.triangle, a, weight);
   if (!(area > 0)) return 1;
   const double along_b = cross(direction, c - a) / area, along_c = cross(b - a, direction) / area;
   return norm((facets_->points[t[1]] - facets_->points[t[0]]) * along_b +
