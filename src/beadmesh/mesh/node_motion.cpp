@@ -13,6 +13,11 @@ constexpr double surface_share = 0.08;
 /// Weight of crest edges among all places looked at: the crest is what the mesh is made for.
 constexpr double crest_weight = 8;
 
+/// Places on an edge that are looked at, as shares of its length.
+constexpr std::array<double, 2> places_on_edge{0.3, 0.7};
+/// Places of an element that remember their facet: two an edge and the centre.
+constexpr int places_of_element = 9;
+
 /// Scaled Jacobian per corner and length of the side that starts there.
 struct Corners {
   int count = 4;
@@ -125,7 +130,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
 /// is the distance along the element's normal.
 template <class Visit>
 void NodeMotion::visit_deviations(Index node, Visit visit) const {
-  const Index hint = nodes_[node].triangle;
+  along_edges_.clear();
   for (const Index e : mesh_.star(node)) {
     const MeshElement& element = mesh_.element(e);
     const int count = corner_count(element), at = corner_of(element, node);
@@ -136,16 +141,44 @@ void NodeMotion::visit_deviations(Index node, Visit visit) const {
       space[i] = nodes_.space(element[(at + i) % count]), space_sum += space[i];
     }
     const Vec3 normal = normalized(cross(space[1] - space[0], space[count - 1] - space[0]));
-    const auto add = [&](Vec2 on_plane, const Vec3& on_element, double weight) {
-      visit(std::abs(dot(nodes_.place(on_plane, hint).space - on_element, normal)), weight);
+    const auto add = [&](const Vec3& on_surface, const Vec3& on_element, double weight) {
+      visit(std::abs(dot(on_surface - on_element, normal)), weight);
     };
     for (const int k : {1, count - 1}) {
       const bool is_crest = lines_.on_crest(node) && lines_.on_crest(element[(at + k) % count]);
-      for (const double t : {0.3, 0.7})
-        add(lerp(flat[0], flat[k], t), lerp(space[0], space[k], t), is_crest ? crest_weight : 0.5);
+      const std::array<Vec3, 2> surface = surface_along(node, e, k);
+      for (size_t i = 0; i < places_on_edge.size(); ++i)
+        add(surface[i], lerp(space[0], space[k], places_on_edge[i]), is_crest ? crest_weight : 0.5);
     }
-    add(flat_sum / count, space_sum / count, 1.0);
+    add(surface_at(flat_sum / count, e, places_of_element - 1), space_sum / count, 1.0);
   }
+}
+
+/// A place moves little from one look to the next: the search starts where it ended before.
+Vec3 NodeMotion::surface_at(Vec2 flat, Index element, int slot) const {
+  const size_t at = static_cast<size_t>(element) * places_of_element + slot;
+  if (at >= facet_hints_.size())
+    facet_hints_.resize(static_cast<size_t>(mesh_.element_count()) * places_of_element, no_index);
+  if (facet_hints_[at] == no_index) facet_hints_[at] = nodes_[mesh_.element(element)[0]].triangle;
+  const SurfacePlace place = nodes_.place(flat, facet_hints_[at]);
+  facet_hints_[at] = place.triangle;
+  return place.space;
+}
+
+/// Surface at the places of the edge from the node to the corner of the element that lies `step` further.
+std::array<Vec3, 2> NodeMotion::surface_along(Index node, Index e, int step) const {
+  const MeshElement& element = mesh_.element(e);
+  const int count = corner_count(element), at = corner_of(element, node);
+  const Index end = element[(at + step) % count];
+  for (const AlongEdge& known : along_edges_)
+    if (known.end == end) return known.surface;
+  const int edge = step == 1 ? at : (at + step) % count, turned = step == 1 ? 0 : 1;
+  AlongEdge fresh{end, {}};
+  for (int i = 0; i < 2; ++i)
+    fresh.surface[i] =
+        surface_at(lerp(nodes_.flat(node), nodes_.flat(end), places_on_edge[i]), e, 2 * edge + (i ^ turned));
+  along_edges_.push_back(fresh);
+  return fresh.surface;
 }
 
 void NodeMotion::add_deviations(Index node, State& state) const {

@@ -1,6 +1,7 @@
 // Movement of single nodes: the kernel of the smoothing and of the local smoothing after topological edits.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -64,6 +65,8 @@ class NodeMotion {
   double floor_of(const State& before, MotionAim aim) const;
   template <class Visit>
   void visit_deviations(Index node, Visit visit) const;
+  Vec3 surface_at(Vec2 flat, Index element, int slot) const;
+  std::array<Vec3, 2> surface_along(Index node, Index element, int step) const;
   double cost_at(Index node, const SurfacePlace& place, MotionAim aim);
   bool keep_if_better(Index node, const SurfacePlace& place, const State& before, MotionAim aim);
   bool optimise_free(Index node, MotionAim aim);
@@ -80,6 +83,14 @@ class NodeMotion {
   MotionLimits limits_;
   double last_step_ = 0;
   std::vector<Index> sides_, diagonals_;
+
+  /// Places on an edge are looked up once, though two elements share them.
+  struct AlongEdge {
+    Index end;
+    std::array<Vec3, 2> surface;
+  };
+  mutable std::vector<AlongEdge> along_edges_;  ///< of the node looked at
+  mutable std::vector<Index> facet_hints_;      ///< facets where the places of each element were last found
 };
 
 }  // namespace beadmesh
