@@ -196,7 +196,20 @@ class CornerSearch {
   std::vector<CornerChoice> found_;
 };
 
-bool fill_anew(MeshEditor& editor, const Patch& patch, EditAim aim, std::vector<Index>& touched) {
+/// What a replacement is known by: its quads, then the nodes at the new corners. Numbers of elements are not
+/// used again.
+std::vector<Index> signature(const Patch& patch, const std::vector<int>& corners) {
+  std::vector<Index> key = patch.quads();
+  std::sort(key.begin(), key.end());
+  key.push_back(no_index);
+  for (const int corner : corners) key.push_back(patch.loop()[corner]);
+  std::sort(key.end() - static_cast<std::ptrdiff_t>(corners.size()), key.end());
+  return key;
+}
+
+/// Larger patches are grown from the seeds of smaller ones: what was tried in vain before is not tried again.
+bool fill_anew(MeshEditor& editor, const Patch& patch, EditAim aim, std::set<std::vector<Index>>& failed,
+               std::vector<Index>& touched) {
   double penalty = 0;
   for (const Index node : patch.inner_nodes()) penalty += editor.penalty(node);
   for (const Index node : patch.loop()) penalty += editor.penalty(node);
@@ -207,6 +220,7 @@ bool fill_anew(MeshEditor& editor, const Patch& patch, EditAim aim, std::vector<
   std::vector<Vec2> positions;
   for (const Index node : patch.loop()) positions.push_back(editor.nodes().flat(node));
   for (const CornerChoice& choice : choices) {
+    if (!failed.insert(signature(patch, choice.corners)).second) continue;
     PatchFill fill = fill_patch(patch.loop(), positions, choice.corners, editor.mesh().node_count());
     Replacement edit{patch.quads(), std::move(fill.new_nodes), std::move(fill.quads), {}};
     if (editor.try_replace(edit, aim, touched)) return true;
@@ -229,7 +243,7 @@ bool PatchReplacement::grow_and_fill(Index seed, int max_quads, EditAim aim, std
   Patch patch(editor_, max_quads, marks_, ++patches_);
   if (!patch.start(seed)) return false;
   do {
-    if (fill_anew(editor_, patch, aim, touched)) return true;
+    if (fill_anew(editor_, patch, aim, failed_, touched)) return true;
   } while (patch.grow_ring());
   return false;
 }

@@ -1,6 +1,7 @@
 // Non-local clean-up: patches around irregular nodes filled anew with fewer of them.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "beadmesh/mesh/mesh_editor.h"
@@ -24,7 +25,8 @@ class PatchReplacement {
   bool grow_and_fill(Index seed, int max_quads, EditAim aim, std::vector<Index>& touched);
 
   MeshEditor& editor_;
-  std::vector<int> marks_;  ///< per element: the number of the patch that has it
+  std::set<std::vector<Index>> failed_;  ///< quads and corners of what was tried in vain
+  std::vector<int> marks_;               ///< per element: the number of the patch that has it
   int patches_ = 0;
 };
 
