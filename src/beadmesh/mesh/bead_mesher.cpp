@@ -35,6 +35,10 @@ constexpr double largest_warpage = radians(15);
 /// What a bead would lose in score if all of its elements were warped.
 constexpr double warpage_cost = 0.5;
 
+/// More than the worst scaled Jacobian gains (up to 0.06 has been seen) while the elements come nearer to the
+/// surface: a variant further behind the best is given up before.
+constexpr double most_gain_on_surface = 0.12;
+
 /// Distance between a section of the bead and the elements across it, as a share of the size.
 constexpr double acceptable_deviation = 0.08;
 constexpr int most_across = 12;
@@ -149,10 +153,12 @@ double shortest_edge(const PlanarMesh& mesh, const FaceStudy& study) {
 
 /// Lengths are kept on the facets. Where an edge falls under the minimum on the surface itself, it is
 /// smoothed again with as much more.
-SmoothingReport smooth_on_surface(BeadMesh& mesh, const FaceStudy& study, const BeadMesherOptions& options) {
+SmoothingReport smooth_on_surface(BeadMesh& mesh, const FaceStudy& study, const BeadMesherOptions& options,
+                                  double hopeless) {
   const BeadMesh before = mesh;
-  SmoothingOptions smoothing{options.size, options.min_edge, 20, 10, 10};
+  SmoothingOptions smoothing{options.size, options.min_edge, 20, 10, 10, hopeless};
   SmoothingReport report = smooth(mesh.mesh, study.map.get(), mesh.lines, smoothing);
+  if (report.given_up) return report;
   const double shortest = shortest_edge(mesh.mesh, study);
   if (report.edges_below_min > 0 || shortest >= options.min_edge * (1 - 1e-6)) return report;
   mesh = before;
@@ -162,18 +168,20 @@ SmoothingReport smooth_on_surface(BeadMesh& mesh, const FaceStudy& study, const 
   return report;
 }
 
-/// Smooths and judges. What falls short is said in the failure.
-Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const BeadMesherOptions& options) {
+/// Smooths and judges. What falls short is said in the failure; so is a shape under `hopeless` before the
+/// surface counts.
+Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const BeadMesherOptions& options,
+                        double hopeless) {
   if (!mesh) return tl::unexpected(mesh.error());
   free_boundary(*mesh, study.region, options);
-  const SmoothingReport report = smooth_on_surface(*mesh, study, options);
+  const SmoothingReport report = smooth_on_surface(*mesh, study, options, hopeless);
   take_over_boundary(*mesh);
   if (report.inverted > 0)
     return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
   if (report.edges_below_min > 0)
     return fail("mesh.bead.min_edge",
                 std::to_string(report.edges_below_min) + " edges under the minimum length");
-  if (report.scaled_jacobian_min < acceptable_jacobian)
+  if (report.given_up || report.scaled_jacobian_min < acceptable_jacobian)
     return fail("mesh.bead.jacobian",
                 "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
   const double score = score_of(report, options.size);
@@ -314,7 +322,10 @@ class BeadMesher {
 
   /// Keeps the best mesh so far; true where it is good enough to stop.
   bool attempt(const std::string& name, const std::function<Result<BeadMesh>()>& make) {
-    auto judged = finished(make(), study_, options_);
+    auto mesh = make();
+    if (mesh && !is_new(mesh->mesh)) return false;
+    auto judged =
+        finished(std::move(mesh), study_, options_, best_ ? best_->rank - most_gain_on_surface : -2);
     if (!judged) {
       const std::string reason = name + ": " + judged.error().message;
       if (std::find(reasons_.begin(), reasons_.end(), reason) == reasons_.end()) reasons_.push_back(reason);
@@ -326,6 +337,15 @@ class BeadMesher {
       if (best_->mesh.method == "blocks") best_->mesh.elements_across = across_;
     }
     return good;
+  }
+
+  /// Clamps differ in name only where there is no room for what they ask.
+  bool is_new(const PlanarMesh& start) {
+    const bool known = std::any_of(tried_.begin(), tried_.end(), [&](const PlanarMesh& other) {
+      return other.nodes == start.nodes && other.elements == start.elements;
+    });
+    if (!known) tried_.push_back(start);
+    return !known;
   }
 
   /// Reasons are told only where the first method failed altogether.
@@ -374,6 +394,7 @@ class BeadMesher {
   Width width_;
   int across_ = 0;  ///< of the blocks tried last
   std::vector<std::string> reasons_;
+  std::vector<PlanarMesh> tried_;  ///< before smoothing
   std::optional<Judged> best_;
 };
 

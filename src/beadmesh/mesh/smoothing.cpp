@@ -36,10 +36,13 @@ class Smoother {
           [&](Index node) { return motion_.optimise(node, MotionAim::mean); });
     improve_worst(0.75);
     lengthen_short_edges();
-    if (options_.surface_passes > 0) near_surface();
+    const bool given_up = options_.surface_passes > 0 && worst() < options_.hopeless;
+    if (options_.surface_passes > 0 && !given_up) near_surface();
     for (size_t node = 0; node < mesh_.nodes.size(); ++node)
       mesh_.nodes[node] = nodes_.flat(static_cast<Index>(node));
-    return report();
+    SmoothingReport result = report();
+    result.given_up = given_up;
+    return result;
   }
 
   const std::vector<SlidingLine>& lines() const { return lines_.lines(); }
@@ -136,6 +139,13 @@ class Smoother {
     for (Index node = 0; node < connectivity_.node_count(); ++node)
       if (motion_.is_movable(node) && motion_.shortfall(node) > 0) marked[node] = true;
     return movable(marked);
+  }
+
+  double worst() const {
+    double least = 1;
+    for (const MeshElement& element : mesh_.elements)
+      least = std::min(least, signed_quality(nodes_, element));
+    return least;
   }
 
   SmoothingReport report() const {

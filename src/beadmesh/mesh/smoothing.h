@@ -14,13 +14,16 @@ struct SmoothingOptions {
       20;  ///< default 20: Winslow / isoparametric / length-weighted Laplace sweeps at most
   int optimisation_passes = 10;  ///< default 10: sweeps over the worst elements at most
   int surface_passes = 0;        ///< default 0: sweeps that bring the elements nearer to the surface
+  double hopeless =
+      -2;  ///< default -2 = never: worst scaled Jacobian under which surface passes are left out
 };
 
 struct SmoothingReport {
   double scaled_jacobian_min = 0, scaled_jacobian_mean = 0;  ///< on the surface
   int inverted = 0;
   int edges_below_min = 0;
-  double deviation = 0;  ///< largest distance seen between elements and surface; 0 without surface passes
+  bool given_up = false;  ///< shape under SmoothingOptions::hopeless
+  double deviation = 0;   ///< largest distance seen between elements and surface; 0 without surface passes
 };
 
 /// Moves free nodes in the flat plane, measures on the surface (3-D positions through `map`; null: the
