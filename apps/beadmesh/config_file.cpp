@@ -72,6 +72,14 @@ Keys<SettingsLayer> read_keys() {
           number_key("feature_angle", &SettingsLayer::feature_angle)};
 }
 
+Keys<SettingsLayer> deck_keys() {
+  return {count_key("id_offset", &SettingsLayer::id_offset),
+          count_key("first_node", &SettingsLayer::first_node),
+          count_key("first_element", &SettingsLayer::first_element),
+          count_key("first_property", &SettingsLayer::first_property),
+          text_key("analysis", &SettingsLayer::analysis)};
+}
+
 Key<BeadMeshControl> method_key() {
   return {"method", "automatic, blocks, ridge or face", [](const toml::node& node, BeadMeshControl& control) {
             control.method = bead_method_of(node.value<std::string>().value_or(""));
@@ -145,6 +153,7 @@ class ConfigReader {
     auto done = read_table(root, "", main_keys(), layer_,
                            {{"bead", table_of("bead.", bead_keys(), layer_)},
                             {"read", table_of("read.", read_keys(), layer_)},
+                            {"deck", table_of("deck.", deck_keys(), layer_)},
                             {"mesh", [this](const toml::node& node) { return read_mesh(node); }}});
     if (!done) return tl::make_unexpected(done.error());
     return std::move(layer_);

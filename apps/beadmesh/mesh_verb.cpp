@@ -13,6 +13,7 @@
 #include "beadmesh/write/deck.h"
 #include "outputs.h"
 #include "progress.h"
+#include "settings_text.h"
 #include "summary.h"
 #include "verbs.h"
 
@@ -53,7 +54,9 @@ bool is_picture(const std::string& name) {
 Outputs outputs_of(const Options& options, const Panel& panel, const PanelMesh& mesh) {
   const OutputNames& names = options.outputs;
   Outputs outputs;
-  outputs.add(names.deck, [&](std::ostream& out) { write_deck(mesh.mesh, names.deck, out); });
+  DeckOptions deck = options.settings.deck;
+  deck.remarks = settings_lines(options.settings);
+  outputs.add(names.deck, [&, deck](std::ostream& out) { write_deck(mesh.mesh, names.deck, out, deck); });
   outputs.add(names.json, [&](std::ostream& out) { out << bead_json(panel, mesh); });
   outputs.add(names.csv, [&](std::ostream& out) { out << bead_csv(panel, mesh.table); });
   outputs.add(names.report, [&](std::ostream& out) {
@@ -91,7 +94,8 @@ Result<int> run_mesh(const Options& options) {
       fmt::format("{}, size {:g} mm, minimum edge {:g} mm", panel->input, sizes.size, sizes.min_edge);
   const std::vector<Diagnostic> short_of = shortfalls(*mesh, sizes.min_edge);
   mesh->table.diagnostics.insert(mesh->table.diagnostics.end(), short_of.begin(), short_of.end());
-  if (auto good = check_deck_mesh(mesh->mesh); !good) return tl::make_unexpected(good.error());
+  if (auto good = check_deck_mesh(mesh->mesh, options.settings.deck); !good)
+    return tl::make_unexpected(good.error());
   Outputs outputs = outputs_of(options, *panel, *mesh);
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
 

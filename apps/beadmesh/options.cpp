@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "beadmesh/core/version.h"
+#include "beadmesh/write/deck.h"
 #include "config_file.h"
 #include "control_text.h"
 
@@ -52,17 +53,30 @@ void add_controls(CLI::App& verb, RawOptions& raw) {
       ->allow_extra_args(false);
 }
 
+void add_deck(CLI::App& verb, RawOptions& raw) {
+  verb.add_option("--thickness", raw.flags.thickness, "sheet thickness in the properties, mm (default 1)");
+  verb.add_option(
+      "--analysis", raw.flags.analysis,
+      "what the deck makes the solver do: modes (default; runs as it is), or none (to be included\n"
+      "in another deck)");
+  verb.add_option("--id-offset", raw.flags.id_offset,
+                  "added to the ids of nodes, elements, properties and sets (default 0)");
+  verb.add_option("--first-node", raw.flags.first_node, "id of the first node (default 1)");
+  verb.add_option("--first-element", raw.flags.first_element, "id of the first element (default 1)");
+  verb.add_option("--first-property", raw.flags.first_property, "id of the first property (default 1)");
+}
+
 void add_mesh(CLI::App& app, RawOptions& raw) {
   CLI::App& verb =
       *app.add_subcommand("mesh", "mesh a panel: recognised beads on purpose, the rest around them");
   add_common(verb, raw);
-  verb.add_option("-o,--output", raw.outputs.deck, "mesh: .bdf .nas .dat (Nastran)")->required();
+  verb.add_option("-o,--output", raw.outputs.deck, "mesh: " + deck_endings())->required();
   verb.add_option("--size", raw.flags.size, "element size, mm (default 5)");
   verb.add_option("--min-edge", raw.flags.min_edge, "minimum element length, mm (default: half the size)");
   verb.add_option("--preset", raw.flags.preset,
                   "crash (5 / 2.5 mm), nvh (10 / 4 mm), durability (5 / 1.5 mm)");
   add_controls(verb, raw);
-  verb.add_option("--thickness", raw.flags.thickness, "sheet thickness in the properties, mm (default 1)");
+  add_deck(verb, raw);
   verb.add_option("--report", raw.outputs.report, "report: .html, or only the picture: .svg");
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
 }

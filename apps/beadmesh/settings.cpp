@@ -45,6 +45,22 @@ void apply_controls(const SettingsLayer& layer, MeshSizes& sizes) {
   append(sizes.local, layer.local_sizes);
 }
 
+Result<void> apply_deck(const SettingsLayer& layer, DeckOptions& deck) {
+  if (const auto offset = layer.id_offset) {
+    deck.first_node = deck.first_element = deck.first_property = *offset + 1;
+    deck.set_offset = *offset;
+  }
+  deck.first_node = layer.first_node.value_or(deck.first_node);
+  deck.first_element = layer.first_element.value_or(deck.first_element);
+  deck.first_property = layer.first_property.value_or(deck.first_property);
+  if (!layer.analysis) return {};
+  if (*layer.analysis != "modes" && *layer.analysis != "none")
+    return fail("usage.analysis", fmt::format("unknown analysis '{}'", *layer.analysis),
+                "known: modes, none");
+  deck.analysis = *layer.analysis == "none" ? DeckAnalysis::none : DeckAnalysis::modes;
+  return {};
+}
+
 void set(double& target, const std::optional<double>& value, double factor = 1) {
   if (value) target = *value * factor;
 }
@@ -81,6 +97,7 @@ Result<void> apply(const SettingsLayer& layer, Settings& settings) {
     if (auto known = apply_preset(*layer.preset, settings.sizes); !known) return known;
   apply_sizes(layer, settings.sizes);
   apply_controls(layer, settings.sizes);
+  if (auto known = apply_deck(layer, settings.deck); !known) return known;
   settings.jobs = layer.jobs.value_or(settings.jobs);
   settings.read.unit = layer.unit.value_or(settings.read.unit);
   set(settings.beads.min_aspect_ratio, layer.min_aspect_ratio);
@@ -100,6 +117,9 @@ Result<void> check(const Settings& s) {
       {"usage.size", "element size (mm)", s.sizes.size, 0, 1e6, true},
       {"usage.min_edge", "minimum edge length (mm)", s.sizes.min_edge, 0, 1e6, true},
       {"usage.thickness", "thickness (mm)", s.sizes.thickness, 0, 1e6, true},
+      {"usage.ids", "first node id", double(s.deck.first_node), 1, 99'999'999, false},
+      {"usage.ids", "first element id", double(s.deck.first_element), 1, 99'999'999, false},
+      {"usage.ids", "first property id", double(s.deck.first_property), 1, 99'999'999, false},
       {"usage.jobs", "number of jobs", static_cast<double>(s.jobs), 0, 1024, false},
       {"usage.min_aspect_ratio", "least aspect ratio of a bead", s.beads.min_aspect_ratio, 0, 1e6, false},
       {"usage.max_joint_angle", "largest joint angle (degrees)", degrees(s.beads.max_joint_angle), 0, 180,

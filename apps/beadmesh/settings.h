@@ -8,6 +8,7 @@
 #include "beadmesh/core/result.h"
 #include "beadmesh/pipeline.h"
 #include "beadmesh/read/panel_reader.h"
+#include "beadmesh/write/deck_options.h"
 
 namespace beadmesh::app {
 
@@ -15,6 +16,7 @@ struct Settings {
   MeshSizes sizes;
   BeadOptions beads;
   ReadOptions read;
+  DeckOptions deck;
   int jobs = 0;  ///< default 0: all cores
 };
 
@@ -23,6 +25,8 @@ struct SettingsLayer {
   std::optional<std::string> preset;  ///< crash, nvh, durability
   std::optional<double> size, min_edge, thickness;
   std::optional<int> jobs, max_loops;
+  std::optional<int> id_offset, first_node, first_element, first_property;
+  std::optional<std::string> analysis;  ///< modes, none
   std::optional<std::string> unit;
   std::optional<double> min_aspect_ratio, max_joint_angle, min_rise;            ///< angle in degrees
   std::optional<double> chord, angle, max_facet, sew_tolerance, feature_angle;  ///< angles in degrees
@@ -31,7 +35,8 @@ struct SettingsLayer {
 };
 
 /// The preset of the layer first, then its values. A size without a minimum edge keeps their ratio. Single
-/// beads and local sizes of the layer follow those of earlier layers. Fails with usage.preset.
+/// beads and local sizes of the layer follow those of earlier layers. An offset of ids is for all of them,
+/// the first ids of the layer win. Fails with usage.preset, usage.analysis.
 Result<void> apply(const SettingsLayer& layer, Settings& settings);
 
 /// Fails with usage.* and control.* where a value makes no sense, alone or with the others; says which.

@@ -116,6 +116,45 @@ TEST(PanelMesher, PartsAndSetsFollowTheBeads) {
   }
 }
 
+/// All nodes of some elements.
+std::set<Index> nodes_of(const ShellMesh& mesh, const std::vector<Index>& elements) {
+  std::set<Index> nodes;
+  for (const Index e : elements)
+    for (const Index n : mesh.elements[e].nodes)
+      if (n != no_index) nodes.insert(n);
+  return nodes;
+}
+
+TEST(PanelMesher, SetsKnowBoundariesCrestLinesAndCaps) {
+  const Panel panel = plate_of_every_kind();
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
+  ASSERT_TRUE(mesh);
+  const size_t ends[] = {2, 3, 0};  // of the I-bead, the T and the ring
+  for (const Index b : {1, 2, 3}) {
+    const BeadSet* set = set_of(mesh->mesh, b);
+    ASSERT_TRUE(set);
+    std::set<Index> of_others, shared;
+    for (const ShellElement& element : mesh->mesh.elements)
+      if (element.bead != b)
+        for (const Index n : element.nodes) of_others.insert(n);
+    for (const Index n : nodes_of(mesh->mesh, set->elements))
+      if (of_others.count(n)) shared.insert(n);
+    EXPECT_EQ(std::set<Index>(set->boundary_nodes.begin(), set->boundary_nodes.end()), shared);
+
+    std::set<Index> crest;
+    for (const auto& line : set->crest_lines) crest.insert(line.begin(), line.end());
+    EXPECT_EQ(std::vector<Index>(crest.begin(), crest.end()), set->crest_nodes);
+
+    EXPECT_TRUE(std::includes(set->elements.begin(), set->elements.end(), set->cap_elements.begin(),
+                              set->cap_elements.end()));
+    const std::set<Index> capped = nodes_of(mesh->mesh, set->cap_elements);
+    const size_t tips = std::count_if(crest.begin(), crest.end(),
+                                      [&](Index n) { return shared.count(n) && capped.count(n); });
+    EXPECT_EQ(tips, ends[b - 1]);
+    EXPECT_LT(set->cap_elements.size(), 0.7 * double(set->elements.size()));
+  }
+}
+
 TEST(PanelMesher, NestedRingsShareTheirNodes) {
   BeadPlate plate(140, 140);
   plate.add(examples::circular_ring(50, 14), 5);

@@ -36,6 +36,12 @@ TEST_F(ShellMeshCheck, AcceptsGrid) {
   EXPECT_TRUE(verify_shell_mesh(mesh_).empty());
 }
 
+TEST_F(ShellMeshCheck, BoundaryOfSomeElementsIsWhereOnlyOneIs) {
+  EXPECT_EQ(boundary_nodes(mesh_, {0, 1}), (std::vector<Index>{0, 1, 2, 4, 5, 6}));
+  EXPECT_EQ(boundary_nodes(mesh_, {0, 1, 2, 3, 4, 5, 6, 7, 8}).size(), 12);
+  EXPECT_TRUE(boundary_nodes(mesh_, {}).empty());
+}
+
 TEST_F(ShellMeshCheck, FindsThirdElementAtEdge) {
   add_fin();
   EXPECT_TRUE(mentions(verify_shell_mesh(mesh_), "edge 5-6 has 3 elements"));

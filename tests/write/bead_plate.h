@@ -13,6 +13,16 @@ namespace beadmesh::test {
 inline constexpr Index plate_columns = 20, plate_rows = 10;
 
 /// Two faces: 1 the sheet, 2 the bead, a strip of columns 4 to 15 and rows 3 to 6; 5 mm squares, 4 mm high.
+/// A square and a triangle on its right, in two parts.
+inline ShellMesh two_elements() {
+  ShellMesh mesh;
+  mesh.title = "two elements -- no bead";
+  mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0.5, 0.25}};
+  mesh.parts = {{7, "sheet", 1.25}, {9, "flange", 0.8}};
+  mesh.elements = {{{0, 1, 2, 3}, 0, 1, 0}, {{1, 4, 2, no_index}, 1, 2, 0}};
+  return mesh;
+}
+
 inline Panel plate_panel() {
   Panel panel;
   panel.input = "plate.step";
@@ -45,6 +55,10 @@ inline ShellMesh plate_mesh(Index columns = plate_columns, Index rows = plate_ro
       mesh.elements.push_back({{a, a + 1, b + 1, b}, bead ? 1 : 0, bead ? 2 : 1, bead ? 1 : 0});
     }
   for (Index i = 5; i <= 15; ++i) set.crest_nodes.push_back(5 * (columns + 1) + i);
+  set.crest_lines = {set.crest_nodes};
+  set.boundary_nodes = boundary_nodes(mesh, set.elements);
+  for (const Index e : set.elements)
+    if (e % columns == 4 || e % columns == 15) set.cap_elements.push_back(e);
   mesh.beads = {set};
   return mesh;
 }

@@ -15,9 +15,9 @@ namespace {
 
 using test::plate_mesh;
 
-std::string deck_of(const ShellMesh& mesh) {
+std::string deck_of(const ShellMesh& mesh, const DeckOptions& options = {}) {
   std::ostringstream out;
-  write_nastran(mesh, out);
+  write_nastran(mesh, out, options);
   return out.str();
 }
 
@@ -120,6 +120,23 @@ TEST(Nastran, SetsHoldTheElementsAndCrestNodesOfTheBead) {
   };
   EXPECT_EQ(members_of_set(text, 10001), ids(mesh.beads[0].elements));
   EXPECT_EQ(members_of_set(text, 20001), ids(mesh.beads[0].crest_nodes));
+}
+
+TEST(Nastran, SetsHoldTheBoundaryAndTheCaps) {
+  const ShellMesh mesh = plate_mesh();
+  const std::string text = deck_of(mesh);
+  EXPECT_EQ(members_of_set(text, 30001).size(), 2 * (12 + 4));
+  EXPECT_EQ(members_of_set(text, 40001), (std::set<int>{65, 76, 85, 96, 105, 116, 125, 136}));
+}
+
+TEST(Nastran, IdsCountFromTheFirst) {
+  const std::string text = deck_of(test::two_elements(), {101, 201, 11, 5000});
+  EXPECT_EQ(lines_with(text, "CQUAD4")[0], "CQUAD4       201      17     101     102     103     104");
+  EXPECT_EQ(lines_with(text, "CTRIA3")[0], "CTRIA3       202      19     102     105     103");
+  EXPECT_EQ(lines_with(text, "PSHELL")[0], "PSHELL        17      11    1.25      11              11");
+  EXPECT_EQ(lines_with(text, "MAT1")[0].substr(0, 16), "MAT1          11");
+  EXPECT_EQ(lines_with(text, "GRID*")[0].substr(0, 24), "GRID*                101");
+  EXPECT_EQ(members_of_set(deck_of(plate_mesh(), {1, 201, 1, 5000}), 45001).count(265), 1);
 }
 
 TEST(Nastran, SetIdsStayApartForManyBeads) {

@@ -269,14 +269,17 @@ class BeadBlocks {
 
   void add_caps(Index a, bool start_tip, bool end_tip) {
     const ArmLine& line = arms_[a];
+    const size_t first_block = builder_.layout().blocks.size();
     if (end_tip)
       add_end_cap(builder_, end_chord_[a], node_vertex_[ridge_.arms[a].end],
                   line.between(end_chord_[a].along, line.length()), cap_options(ridge_.arms[a].end));
-    if (!start_tip) return;
-    std::vector<Vec2> crest = line.between(0, start_chord_[a].along);
-    std::reverse(crest.begin(), crest.end());
-    add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest,
-                cap_options(ridge_.arms[a].start));
+    if (start_tip) {
+      std::vector<Vec2> crest = line.between(0, start_chord_[a].along);
+      std::reverse(crest.begin(), crest.end());
+      add_end_cap(builder_, start_chord_[a].turned(), node_vertex_[ridge_.arms[a].start], crest,
+                  cap_options(ridge_.arms[a].start));
+    }
+    builder_.mark_cap(first_block);
   }
 
   CapOptions cap_options(Index node) const {

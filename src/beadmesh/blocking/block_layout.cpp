@@ -128,6 +128,10 @@ void BlockLayoutBuilder::add_block(const std::array<std::vector<Index>, 4>& side
   layout_.blocks.push_back(std::move(block));
 }
 
+void BlockLayoutBuilder::mark_cap(size_t first) {
+  for (size_t b = first; b < layout_.blocks.size(); ++b) layout_.blocks[b].cap = true;
+}
+
 Result<BlockLayout> BlockLayoutBuilder::take() {
   if (!fault_.empty()) return fail("blocking.missing_edge", fault_);
   return std::move(layout_);

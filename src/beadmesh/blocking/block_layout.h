@@ -45,6 +45,7 @@ struct Block {
   std::array<BlockSide, 4> sides;
   /// Sides 0 and 2 may carry counts that differ by an even number; the count changes in the row along side 2.
   bool graded = false;
+  bool cap = false;  ///< part of the clamp at an end
 };
 
 struct BlockLayout {
@@ -68,6 +69,9 @@ class BlockLayoutBuilder {
   Index add_boundary_edge(Index start, Index end, bool backward, int count = 0);
   /// Each side as the vertices it passes, first and last a corner, head to tail; the edges must exist.
   void add_block(const std::array<std::vector<Index>, 4>& sides, bool graded = false);
+
+  /// Blocks added since `first` (a count of blocks) are the clamp at an end.
+  void mark_cap(size_t first);
 
   Vec2 point_of(Index vertex) const { return layout_.vertices[vertex].point; }
   Vec2 point_at(BoundaryPosition position) const;

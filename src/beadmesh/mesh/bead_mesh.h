@@ -25,6 +25,7 @@ struct BeadMesh {
   std::vector<std::string> notes;               ///< why an earlier method was left
   std::vector<std::string> refusals;            ///< counts asked for that could not be met, and why
   int elements_across = 0;                      ///< of blocks; else 0
+  std::vector<Index> cap_elements;              ///< those of the clamps of blocks, ascending
 };
 
 }  // namespace beadmesh

@@ -18,7 +18,12 @@ class BlockMapper {
   BeadMesh run() {
     vertex_node_.assign(layout_.vertices.size(), no_index);
     for (const VirtualEdge& edge : layout_.edges) add_edge(edge);
-    for (const Block& block : layout_.blocks) fill(block);
+    for (const Block& block : layout_.blocks) {
+      const Index first = Index(out_.mesh.elements.size());
+      fill(block);
+      for (Index e = first; block.cap && e < Index(out_.mesh.elements.size()); ++e)
+        out_.cap_elements.push_back(e);
+    }
     collect_crest_lines();
     return std::move(out_);
   }

@@ -26,6 +26,7 @@ struct FaceMesh {
   PlanarMesh mesh;
   std::vector<std::pair<Index, Index>> boundary;  ///< (node of the face, boundary node of the panel)
   std::vector<std::vector<Index>> crest_lines;
+  std::vector<Index> cap_elements;
 };
 
 class PanelMesher {
@@ -187,6 +188,7 @@ class PanelMesher {
     const auto ids = nodes_.place_from_face(face, region, fresh);
     for (size_t i = 0; i < ids.size(); ++i) out.boundary.emplace_back(fresh_nodes[i], ids[i]);
     out.crest_lines = std::move(mesh.crest_lines);
+    out.cap_elements = std::move(mesh.cap_elements);
     out_.meshing[b].method = mesh.method;
     out_.meshing[b].elements = int(mesh.mesh.elements.size());
     out_.meshing[b].notes = std::move(mesh.notes);
@@ -387,8 +389,14 @@ class PanelMesher {
     const Bead& bead = studied_.table.beads[b];
     BeadSet set{bead.id, name_of(bead.kind), bead.shape, {}, {}};
     for (Index e = first; e < Index(out_.mesh.elements.size()); ++e) set.elements.push_back(e);
-    for (const auto& line : mesh.crest_lines)
-      for (Index n : line) set.crest_nodes.push_back(global[n]);
+    for (const auto& line : mesh.crest_lines) {
+      set.crest_lines.emplace_back();
+      for (Index n : line) set.crest_lines.back().push_back(global[n]);
+      set.crest_nodes.insert(set.crest_nodes.end(), set.crest_lines.back().begin(),
+                             set.crest_lines.back().end());
+    }
+    for (Index e : mesh.cap_elements) set.cap_elements.push_back(first + e);
+    set.boundary_nodes = boundary_nodes(out_.mesh, set.elements);
     out_.mesh.beads.push_back(std::move(set));
   }
 

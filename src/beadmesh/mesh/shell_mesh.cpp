@@ -42,16 +42,18 @@ bool check_elements(const ShellMesh& mesh, std::vector<std::string>& violations)
   return true;
 }
 
+void add_edge_uses(const MeshElement& nodes, std::vector<EdgeUse>& uses) {
+  const int count = corner_count(nodes);
+  for (int i = 0; i < count; ++i) {
+    const Index a = nodes[i], b = nodes[(i + 1) % count];
+    uses.push_back({std::min(a, b), std::max(a, b), a < b});
+  }
+}
+
 std::vector<EdgeUse> edge_uses(const ShellMesh& mesh) {
   std::vector<EdgeUse> uses;
   uses.reserve(4 * mesh.elements.size());
-  for (const ShellElement& element : mesh.elements) {
-    const int count = corner_count(element.nodes);
-    for (int i = 0; i < count; ++i) {
-      const Index a = element.nodes[i], b = element.nodes[(i + 1) % count];
-      uses.push_back({std::min(a, b), std::max(a, b), a < b});
-    }
-  }
+  for (const ShellElement& element : mesh.elements) add_edge_uses(element.nodes, uses);
   std::sort(uses.begin(), uses.end());
   return uses;
 }
@@ -74,6 +76,22 @@ void check_edges(const ShellMesh& mesh, std::vector<std::array<Index, 2>> allowe
 }
 
 }  // namespace
+
+std::vector<Index> boundary_nodes(const ShellMesh& mesh, const std::vector<Index>& elements) {
+  std::vector<EdgeUse> uses;
+  for (const Index e : elements) add_edge_uses(mesh.elements[e].nodes, uses);
+  std::sort(uses.begin(), uses.end());
+  std::vector<Index> nodes;
+  for (size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+    while (end < uses.size() && uses[end].low == uses[begin].low && uses[end].high == uses[begin].high) ++end;
+    if (end - begin > 1) continue;
+    nodes.push_back(uses[begin].low);
+    nodes.push_back(uses[begin].high);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
 
 std::vector<std::string> verify_shell_mesh(const ShellMesh& mesh,
                                            const std::vector<std::array<Index, 2>>& allowed_non_manifold) {

@@ -24,14 +24,17 @@ struct ShellPart {
   double thickness = 1.0;  ///< mm
 };
 
-/// Nodes and elements of one bead, ascending.
+/// Nodes and elements of one bead, as indices in ShellMesh, ascending.
 struct BeadSet {
   Index bead = 0;
   std::string kind, shape;
-  std::vector<Index> elements, crest_nodes;  ///< indices in ShellMesh
+  std::vector<Index> elements, crest_nodes;
+  std::vector<Index> boundary_nodes = {};            ///< on edges with one element of the bead
+  std::vector<Index> cap_elements = {};              ///< of the clamps at its ends; none where it has none
+  std::vector<std::vector<Index>> crest_lines = {};  ///< crest nodes along each line; closed: first == last
 };
 
-/// Node and element ids in files are index + 1.
+/// In files ids are index + 1, or count from the first ids of write/deck_options.h.
 struct ShellMesh {
   std::string title;
   std::vector<Vec3> nodes;
@@ -39,6 +42,9 @@ struct ShellMesh {
   std::vector<ShellPart> parts;
   std::vector<BeadSet> beads;
 };
+
+/// Nodes on edges that only one of these elements (indices) has, ascending.
+std::vector<Index> boundary_nodes(const ShellMesh& mesh, const std::vector<Index>& elements);
 
 /// Conforming: no repeated or collapsed element, no edge with more than two elements but at the node pairs of
 /// `allowed_non_manifold` (where three sheets meet), consistent orientation, no unused node. Violations in
