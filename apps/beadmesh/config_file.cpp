@@ -1,7 +1,6 @@
 #include "config_file.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <fstream>
@@ -11,6 +10,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "config_table.h"
 
 namespace beadmesh::app {
 namespace {
@@ -264,19 +265,33 @@ class ConfigReader {
 
 }  // namespace
 
-Result<SettingsLayer> read_config(const std::filesystem::path& path) {
+Result<std::string> config_text(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     return fail("config.not_found", "there is no such configuration file", "", path.string());
   std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) return fail("config.unreadable", "the configuration file cannot be read", "", path.string());
+  return text;
+}
+
+Result<SettingsLayer> settings_of_table(const toml::table& table, const std::filesystem::path& source) {
+  return ConfigReader(source).run(table);
+}
+
+Result<SettingsLayer> parse_config(const std::string& text, const std::filesystem::path& source) {
   try {
-    return ConfigReader(path).run(toml::parse(text));
+    return settings_of_table(toml::parse(text), source);
   } catch (const toml::parse_error& problem) {
     return fail("config.syntax", std::string(problem.description()), "",
-                fmt::format("{}:{}", path.string(), problem.source().begin.line));
+                fmt::format("{}:{}", source.string(), problem.source().begin.line));
   }
+}
+
+Result<SettingsLayer> read_config(const std::filesystem::path& path) {
+  const auto text = config_text(path);
+  if (!text) return tl::make_unexpected(text.error());
+  return parse_config(*text, path);
 }
 
 }  // namespace beadmesh::app

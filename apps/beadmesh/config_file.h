@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "settings.h"
 
@@ -13,5 +14,11 @@ namespace beadmesh::app {
 /// same with id or point; [[mesh.local_size]] point, radius, size. Lengths in mm, angles in degrees. Fails
 /// with config.*: no such file, a syntax error, an unknown key or a value of the wrong type, with its line.
 Result<SettingsLayer> read_config(const std::filesystem::path& path);
+
+/// The bytes of a configuration file. Fails with config.not_found, config.unreadable.
+Result<std::string> config_text(const std::filesystem::path& path);
+
+/// The same as read_config, of a text; `source` is what messages name.
+Result<SettingsLayer> parse_config(const std::string& text, const std::filesystem::path& source);
 
 }  // namespace beadmesh::app

@@ -1,9 +1,10 @@
-// beadmesh: mesh, beads, medial, check. Exit status 0, 1, 2 or 3, see --help.
+// beadmesh: mesh, beads, medial, check, batch. Exit status 0, 1, 2 or 3, see --help.
 #include <fmt/format.h>
 
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "options.h"
 #include "outputs.h"
@@ -22,6 +23,8 @@ Result<int> run_verb(const Options& options) {
       return run_medial(options);
     case Verb::check:
       return run_check(options);
+    case Verb::batch:
+      return run_batch(options.batch);
   }
   return internal_error;
 }
@@ -44,9 +47,14 @@ int run(int argc, const char* const* argv) {
 }  // namespace beadmesh::app
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing, not the end
+  // A closed pipe and a file past the limit of its size are errors of writing, not the end.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return beadmesh::app::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("error internal.memory: not enough memory (use a larger element size, or a larger machine)\n",
+               stderr);
   } catch (const std::exception& problem) {
     fmt::print(stderr, "error internal.exception: {} (please report it with the input)\n", problem.what());
   } catch (...) {

@@ -16,8 +16,9 @@ namespace {
 
 /// What CLI11 fills in, before it is checked.
 struct RawOptions {
-  std::string input, config, face = "all", method, criteria;
-  std::vector<std::string> beads, local_sizes;
+  std::string input, face = "all", method, criteria;
+  std::vector<std::string> configs, beads, local_sizes;
+  BatchOptions batch;
   OutputNames outputs;
   bool feet = false, timings = false;
   SettingsLayer flags;
@@ -28,10 +29,16 @@ void add_unit(CLI::App& verb, RawOptions& raw) {
                   "unit of inputs that carry none: mm, cm, m, um, in, ft (default mm)");
 }
 
+void add_config(CLI::App& verb, RawOptions& raw) {
+  verb.add_option("--config", raw.configs,
+                  "settings from a TOML file; options given here win; may be repeated, later files win")
+      ->allow_extra_args(false);
+}
+
 void add_common(CLI::App& verb, RawOptions& raw) {
   verb.add_option("PANEL", raw.input, "panel: .step .stp .iges .igs .brep .stl")->required();
   verb.add_option("--json", raw.outputs.json, "bead table as JSON; - for standard output");
-  verb.add_option("--config", raw.config, "settings from a TOML file; options given here win");
+  add_config(verb, raw);
   verb.add_option("--jobs", raw.flags.jobs, "threads (default: all cores)");
   verb.add_flag("--timings", raw.timings, "print the time of each stage and the memory on standard error");
   add_unit(verb, raw);
@@ -94,7 +101,7 @@ void add_medial(CLI::App& app, RawOptions& raw) {
   verb.add_option("--json", raw.outputs.json, "medial object as JSON; - for standard output");
   verb.add_option("--svg", raw.outputs.svg, "picture: .svg");
   verb.add_flag("--feet", raw.feet, "show lines from the axis to its touching points in the picture");
-  verb.add_option("--config", raw.config, "settings from a TOML file; options given here win");
+  add_config(verb, raw);
   verb.add_option("--jobs", raw.flags.jobs, "threads (default: all cores)");
   add_unit(verb, raw);
 }
@@ -151,8 +158,8 @@ Result<void> read_texts(const RawOptions& raw, SettingsLayer& flags) {
 
 Result<Settings> settings_of(Verb verb, const RawOptions& raw) {
   Settings settings;
-  if (!raw.config.empty()) {
-    const auto layer = read_config(raw.config);
+  for (const std::string& name : raw.configs) {
+    const auto layer = read_config(name);
     if (!layer) return tl::make_unexpected(layer.error());
     if (auto done = apply(*layer, settings); !done) return tl::make_unexpected(done.error());
   }
@@ -167,9 +174,12 @@ Result<Settings> settings_of(Verb verb, const RawOptions& raw) {
 
 Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
   Options options;
-  for (const auto& [name, verb] : {std::pair{"mesh", Verb::mesh}, std::pair{"beads", Verb::beads},
-                                   std::pair{"medial", Verb::medial}, std::pair{"check", Verb::check}})
+  for (const auto& [name, verb] :
+       {std::pair{"mesh", Verb::mesh}, std::pair{"beads", Verb::beads}, std::pair{"medial", Verb::medial},
+        std::pair{"check", Verb::check}, std::pair{"batch", Verb::batch}})
     if (app.got_subcommand(name)) options.verb = verb;
+  options.batch = raw.batch;
+  if (options.verb == Verb::batch) return options;
   options.input = raw.input;
   options.outputs = raw.outputs;
   options.feet = raw.feet;
@@ -202,6 +212,7 @@ Result<std::optional<Options>> parse_command_line(int argc, const char* const* a
   add_beads(app, raw);
   add_medial(app, raw);
   add_check(app, raw);
+  add_batch(app, raw.batch);
   refuse_empty_values(app);
   try {
     app.parse(argc, argv);

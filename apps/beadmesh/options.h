@@ -5,11 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "batch/batch_options.h"
 #include "settings.h"
 
 namespace beadmesh::app {
 
-enum class Verb { mesh, beads, medial, check };
+enum class Verb { mesh, beads, medial, check, batch };
 
 /// Files to write; empty: not asked for; "-": standard output (json and csv only).
 struct OutputNames {
@@ -28,6 +29,7 @@ struct Options {
   bool has_min_edge = false;
   std::string criteria;  ///< of `check`: file with limits; empty: those of the preset
   std::string preset;    ///< of `check`; empty: no limits but the file's
+  BatchOptions batch;    ///< of `batch`, which has no others
 };
 
 /// The options; none where help or version was asked for and has been printed. Fails with usage.* and

@@ -13,5 +13,6 @@ Result<int> run_mesh(const Options& options);
 Result<int> run_beads(const Options& options);
 Result<int> run_medial(const Options& options);
 Result<int> run_check(const Options& options);
+Result<int> run_batch(const BatchOptions& options);
 
 }  // namespace beadmesh::app

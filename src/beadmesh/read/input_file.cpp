@@ -6,6 +6,8 @@
 #include <fstream>
 #include <utility>
 
+#include "beadmesh/read/panel_reader.h"
+
 namespace beadmesh {
 namespace {
 
@@ -40,6 +42,10 @@ std::string bytes(const std::filesystem::path& path, bool from_end) {
 }
 
 }  // namespace
+
+bool has_panel_ending(const std::filesystem::path& path) {
+  return kind_of_ending(path).has_value();
+}
 
 FileKind file_kind(const std::filesystem::path& path) {
   return kind_of_ending(path).value_or(FileKind::step);

@@ -19,6 +19,9 @@ struct ReadOptions {
   std::string unit = "mm";  ///< default mm: unit of files that carry none (STL, BREP)
 };
 
+/// Does the name end as one of a panel file (any case)?
+bool has_panel_ending(const std::filesystem::path& path);
+
 /// Reads STEP, IGES, BREP or STL by ending (.step .stp .igs .iges .brep .stl; any case). Fails with read.*:
 /// no such file, a directory, empty, truncated, no faces, unknown ending. One bad face is left out and named
 /// in Panel::diagnostics.

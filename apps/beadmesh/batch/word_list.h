@@ -1,0 +1,18 @@
+// A line of words as in a shell: spaces part them, quotes keep them together.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beadmesh::app {
+
+/// Single and double quotes, a backslash before any character outside single quotes; `#` at the start of a
+/// word begins a comment. None where a quote is not closed.
+std::optional<std::vector<std::string>> words_of(std::string_view line);
+
+/// The words as a line that a shell reads as these words.
+std::string shell_line(const std::vector<std::string>& words);
+
+}  // namespace beadmesh::app
