@@ -10,6 +10,7 @@
 #include "beadmesh/write/deck.h"
 #include "config_file.h"
 #include "control_text.h"
+#include "version_text.h"
 
 namespace beadmesh::app {
 namespace {
@@ -201,7 +202,7 @@ Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
 
 Result<std::optional<Options>> parse_command_line(int argc, const char* const* argv) {
   CLI::App app("Meshes sheet-metal panels with their beads recognised and meshed on purpose.", "beadmesh");
-  app.set_version_flag("--version", "beadmesh " + std::string(version()));
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(
       "Exit status: 0 done; 1 done, but something fell short and is named; 2 wrong usage or unreadable "
