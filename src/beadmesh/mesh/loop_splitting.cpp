@@ -138,8 +138,17 @@ class SplitSearch {
     return turn_from(draft_.at(loop_[(at + 1) % size_]) - p, draft_.at(loop_[other]) - p);
   }
 
+  // Sees without an angle that the line towards `other` lies outside the corner; lines near its sides are
+  // left to the angles.
+  bool leaves_corner(int at, int other) const {
+    const Vec2 p = draft_.at(loop_[at]), line = draft_.at(loop_[other]) - p;
+    const bool left_of_next = cross(draft_.at(loop_[(at + 1) % size_]) - p, line) > 0;
+    const bool right_of_previous = cross(line, draft_.at(loop_[(at + size_ - 1) % size_]) - p) > 0;
+    return angles_[at] < pi ? !left_of_next || !right_of_previous : !left_of_next && !right_of_previous;
+  }
+
   void consider(int i, int j, std::vector<SplitLine>& lines) const {
-    if (size_ - (j - i) < 2 || loop_[i] == loop_[j]) return;
+    if (size_ - (j - i) < 2 || loop_[i] == loop_[j] || leaves_corner(i, j) || leaves_corner(j, i)) return;
     const double at_i = part_at(i, j);
     const double cost_i = split_angle_cost(angles_[i], at_i);
     if (cost_i < 0) return;

@@ -27,6 +27,17 @@ MeshDraft::MeshDraft(const NodeLoops& loops, const SurfaceMap* map, double size)
   }
 }
 
+MeshDraft::MeshDraft(const MeshDraft& whole, std::vector<Index> nodes)
+    : map_(whole.map_), size_(whole.size_), whole_(&whole), of_whole_(std::move(nodes)), hint_(whole.hint_) {
+  for (const Index node : of_whole_) {
+    fixed_nodes_ += node < whole.fixed_nodes_;
+    nodes_.push_back(whole.nodes_[node]);
+    metrics_.push_back(whole.metrics_[node]);
+    spacing_.push_back(whole.spacing_[node]);
+    valences_.push_back(whole.valences_[node]);
+  }
+}
+
 SurfaceMetric MeshDraft::sample(Vec2 position) {
   if (!map_) return {};
   const FacetPoint at = map_->locate(position, hint_);
@@ -120,6 +131,17 @@ void MeshDraft::put(const Piece& piece) {
   spacing_.insert(spacing_.end(), piece.spacing.begin(), piece.spacing.end());
   valences_.resize(nodes_.size(), 0);
   for (const MeshElement& element : piece.elements) add_element(element);
+}
+
+void MeshDraft::put(Piece piece, const std::vector<Index>& nodes) {
+  const auto given = static_cast<Index>(nodes.size());
+  const Index shift = static_cast<Index>(nodes_.size()) - given;
+  for (MeshElement& element : piece.elements) {
+    for (Index& node : element) {
+      if (node != no_index) node = node < given ? nodes[node] : node + shift;
+    }
+  }
+  put(piece);
 }
 
 PlanarMesh MeshDraft::take() && {

@@ -33,6 +33,9 @@ class MeshDraft {
   /// Takes the loops' nodes over, with their metric and their spacing (mean length of the loop edges at a
   /// node).
   MeshDraft(const NodeLoops& loops, const SurfaceMap* map, double size);
+  /// The draft of an area: the given nodes of another draft, ascending, numbered from 0. It asks the other
+  /// for edges between them, so that must live on and stay as it is.
+  MeshDraft(const MeshDraft& whole, std::vector<Index> nodes);
 
   const std::vector<Vec2>& nodes() const { return nodes_; }
   const std::vector<MeshElement>& elements() const { return elements_; }
@@ -47,7 +50,10 @@ class MeshDraft {
   void add_edge(Index a, Index b) {
     if (edges_.insert(key(a, b)).second) edge_order_.push_back(key(a, b));
   }
-  bool has_edge(Index a, Index b) const { return edges_.count(key(a, b)) > 0; }
+  bool has_edge(Index a, Index b) const {
+    return edges_.count(key(a, b)) > 0 ||
+           (whole_ && a < given_nodes() && b < given_nodes() && whole_->has_edge(of_whole_[a], of_whole_[b]));
+  }
   /// Adds the element and its edges.
   void add_element(const MeshElement& element);
 
@@ -63,6 +69,8 @@ class MeshDraft {
   Piece take_back(const Mark& mark);
   /// Adds a piece again; the draft must be in the state of its mark.
   void put(const Piece& piece);
+  /// Adds a piece of an area's draft; `nodes` are those that the area was given.
+  void put(Piece piece, const std::vector<Index>& nodes);
   /// Number of elements at a node.
   int valence(Index node) const { return valences_[node]; }
   /// Nodes of the loops; they are the first ones.
@@ -71,6 +79,7 @@ class MeshDraft {
   PlanarMesh take() &&;
 
  private:
+  Index given_nodes() const { return static_cast<Index>(of_whole_.size()); }
   static std::uint64_t key(Index a, Index b) {
     const auto low = static_cast<std::uint32_t>(a < b ? a : b),
                high = static_cast<std::uint32_t>(a < b ? b : a);
@@ -81,6 +90,8 @@ class MeshDraft {
 
   const SurfaceMap* map_;
   double size_;
+  const MeshDraft* whole_ = nullptr;
+  std::vector<Index> of_whole_;  ///< of an area: its first nodes in the numbers of the whole
   Index hint_ = no_index, fixed_nodes_ = 0;
   std::vector<Vec2> nodes_;
   std::vector<SurfaceMetric> metrics_;

@@ -1,5 +1,7 @@
 #include "beadmesh/mesh/subdivision_mesher.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -123,7 +125,6 @@ class BestPiece {
 
   const MeshDraft::Mark& mark() const { return mark_; }
   bool found() const { return best_.cost < 1e300; }
-  bool is_sound() const { return best_.worst > sound_jacobian; }
   void offer(bool valid) {
     const Judgement judgement = valid ? relax_and_judge(draft_, mark_) : Judgement{};
     MeshDraft::Piece piece = draft_.take_back(mark_);
@@ -138,18 +139,100 @@ class BestPiece {
   Judgement best_;
 };
 
-bool fill_area(MeshDraft& draft, const std::vector<NodeLoop>& loops) {
-  BestPiece best(draft);
-  for (std::size_t i = 0; i < attempts().size(); ++i) {
-    if (i >= usual_attempts && best.is_sound()) break;
-    const Attempt& attempt = attempts()[i];
-    if (attempt.against_vote && loops.size() == 1) continue;
-    const NodeLoop loop = loops.size() == 1 ? loops[0] : connect_loops(draft, loops, attempt.against_vote);
-    if (!loop.empty()) fill_by_splitting(draft, loop, attempt.weights);
-    best.offer(!loop.empty());
+// One area of the draft. Attempts have drafts of their own, so that any number of them can run at once.
+class Area {
+ public:
+  Area(const MeshDraft& whole, std::vector<NodeLoop> loops) : whole_(&whole), loops_(std::move(loops)) {
+    for (const NodeLoop& loop : loops_) nodes_.insert(nodes_.end(), loop.begin(), loop.end());
+    std::sort(nodes_.begin(), nodes_.end());
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    for (NodeLoop& loop : loops_) {
+      for (Index& node : loop) {
+        node = static_cast<Index>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin());
+      }
+    }
   }
-  if (best.found()) best.keep();
-  return best.found();
+
+  // False where no attempt works.
+  bool fill() {
+    tbb::parallel_for(std::size_t(0), usual_attempts, [&](std::size_t i) { outcomes_[i] = attempt(i); });
+    for (std::size_t i = 0; i < usual_attempts; ++i) keep_better(std::move(outcomes_[i]));
+    for (std::size_t i = usual_attempts; i < attempts().size() && best_.judgement.worst <= sound_jacobian;
+         ++i)
+      keep_better(attempt(i));
+    return best_.judgement.cost < 1e300;
+  }
+
+  // Another area that was put before has taken an edge between nodes of both.
+  bool is_outdated(const MeshDraft& draft) const {
+    return std::any_of(best_.bridges.begin(), best_.bridges.end(),
+                       [&](const auto& edge) { return draft.has_edge(edge[0], edge[1]); });
+  }
+  void put(MeshDraft& draft) const { draft.put(best_.piece, nodes_); }
+
+ private:
+  struct Outcome {
+    Judgement judgement;
+    MeshDraft::Piece piece;
+    std::vector<std::array<Index, 2>> bridges;  // new edges between given nodes, in the whole's numbers
+  };
+
+  Outcome attempt(std::size_t i) const {
+    const Attempt& how = attempts()[i];
+    Outcome outcome;
+    if (how.against_vote && loops_.size() == 1) return outcome;
+    MeshDraft draft(*whole_, nodes_);
+    const MeshDraft::Mark mark = draft.mark();
+    const NodeLoop loop = loops_.size() == 1 ? loops_[0] : connect_loops(draft, loops_, how.against_vote);
+    if (loop.empty()) return outcome;
+    fill_by_splitting(draft, loop, how.weights);
+    outcome.judgement = relax_and_judge(draft, mark);
+    outcome.piece = draft.take_back(mark);
+    outcome.bridges = bridges_of(outcome.piece);
+    return outcome;
+  }
+
+  std::vector<std::array<Index, 2>> bridges_of(const MeshDraft::Piece& piece) const {
+    std::vector<std::array<Index, 2>> bridges;
+    for (const MeshElement& element : piece.elements) {
+      const int corners = is_quad(element) ? 4 : 3;
+      for (int k = 0; k < corners; ++k) {
+        const Index a = element[k], b = element[(k + 1) % corners];
+        if (std::max(a, b) >= static_cast<Index>(nodes_.size()) || whole_->has_edge(nodes_[a], nodes_[b]))
+          continue;
+        bridges.push_back({nodes_[a], nodes_[b]});
+      }
+    }
+    return bridges;
+  }
+
+  void keep_better(Outcome outcome) {
+    if (outcome.judgement.cost < best_.judgement.cost) best_ = std::move(outcome);
+  }
+
+  const MeshDraft* whole_;
+  std::vector<NodeLoop> loops_;  // in the area's numbers
+  std::vector<Index> nodes_;
+  std::array<Outcome, usual_attempts> outcomes_;
+  Outcome best_;
+};
+
+// Areas at once, entered one after the other: the result does not depend on the number of threads.
+bool fill_areas(MeshDraft& draft, const std::vector<std::vector<NodeLoop>>& loops) {
+  std::vector<Area> areas;
+  areas.reserve(loops.size());
+  for (const auto& of_area : loops) areas.emplace_back(draft, of_area);
+  std::vector<char> filled(areas.size(), 0);
+  tbb::parallel_for(std::size_t(0), areas.size(), [&](std::size_t i) { filled[i] = areas[i].fill(); });
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (filled[i] && areas[i].is_outdated(draft)) {
+      areas[i] = Area(draft, loops[i]);
+      filled[i] = areas[i].fill();
+    }
+    if (!filled[i]) return false;
+    areas[i].put(draft);
+  }
+  return true;
 }
 
 // `clearance` of the lattice core in steps; 0: no core.
@@ -160,8 +243,7 @@ bool fill_face(MeshDraft& draft, const std::vector<NodeLoop>& loops, double clea
     if (outlines.empty()) return false;
     all.insert(all.end(), outlines.begin(), outlines.end());
   }
-  const auto areas = areas_of(draft, all, loops.size());
-  return std::all_of(areas.begin(), areas.end(), [&](const auto& area) { return fill_area(draft, area); });
+  return fill_areas(draft, areas_of(draft, all, loops.size()));
 }
 
 bool fill_small_face(MeshDraft& draft, const std::vector<NodeLoop>& loops) {
