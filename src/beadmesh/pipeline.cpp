@@ -185,6 +185,7 @@ class JobLimit {
 }  // namespace
 
 Panel compose_faces(Panel panel, const BeadOptions& options, const Context& context) {
+  const JobLimit limit(context.jobs);
   CompositeOptions composite;
   composite.bead = options;
   context.report("compose", 0);

@@ -1,7 +1,10 @@
 #include "beadmesh/bead/composite_faces.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 #include "beadmesh/bead/continued_sheet.h"
@@ -41,12 +44,19 @@ class CompositeFinder {
   void search_inside(Index host) {
     if (searched_[host]) return;  // loops of a face that closes around itself have no inside
     searched_[host] = settled_[host] = true;
-    for (size_t l = 1; l < panel_.faces[host].loops.size(); ++l) {
+    // What different loops enclose has no face in common: they can be searched at once.
+    tbb::parallel_for(size_t(1), std::max(size_t(1), panel_.faces[host].loops.size()), [&](size_t l) {
       const FaceList inside = enclosed(host, l);
-      if (inside.empty()) continue;
+      if (inside.empty()) return;
       for (const Index f : inside) settled_[f] = true;
       search_feature(host, l, inside);
-    }
+    });
+  }
+
+  /// The groups are sorted in the end.
+  void keep(FaceList group) {
+    const std::lock_guard lock(mutex_);
+    groups_.push_back(std::move(group));
   }
 
   void search_feature(Index host, size_t loop, const FaceList& inside) {
@@ -163,7 +173,7 @@ class CompositeFinder {
   void decide(FaceList feature) {
     const Index top = largest(feature);
     if (feature.size() == 1) return search_inside(top);
-    if (is_bead(feature)) return groups_.push_back(std::move(feature));
+    if (is_bead(feature)) return keep(std::move(feature));
     FaceList above;
     for (size_t l = 1; l < panel_.faces[top].loops.size(); ++l) {
       const FaceList inside = enclosed(top, l);
@@ -174,8 +184,7 @@ class CompositeFinder {
     feature.erase(std::remove_if(feature.begin(), feature.end(), [&](Index f) { return is_in(f, above); }),
                   feature.end());
     const bool has_bead = std::any_of(feature.begin(), feature.end(), [&](Index f) { return is_bead({f}); });
-    if (feature.size() > 1 && !has_bead && study_faces(panel_, feature))
-      groups_.push_back(std::move(feature));
+    if (feature.size() > 1 && !has_bead && study_faces(panel_, feature)) keep(std::move(feature));
   }
 
   bool is_bead(const FaceList& faces) const {
@@ -206,10 +215,12 @@ class CompositeFinder {
   const Panel& panel_;
   CompositeOptions options_;
   const Context& context_;
-  std::vector<bool> settled_;      ///< part of something that was searched
-  std::vector<bool> searched_;     ///< what lies inside it is known
+  std::vector<char>
+      settled_;  ///< part of something that was searched; each face a place of its own in memory
+  std::vector<char> searched_;     ///< what lies inside it is known
   std::vector<double> areas_;      ///< per face
   std::vector<EdgeShape> shapes_;  ///< per edge
+  std::mutex mutex_;               ///< for the groups
   std::vector<FaceList> groups_;
 };
 

@@ -1,5 +1,7 @@
 #include "beadmesh/bead/joined_sheets.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -27,8 +29,12 @@ class SheetJoiner {
     for (Index f = 0; f < Index(group_.size()); ++f) members[group_[f]].push_back(f);
     std::vector<std::vector<Index>> groups;
     for (auto& [first, faces] : members)
-      if (faces.size() > 1 && !context_.is_cancelled() && lies_flat(faces))
-        groups.push_back(std::move(faces));
+      if (faces.size() > 1) groups.push_back(std::move(faces));
+    tbb::parallel_for(size_t(0), groups.size(), [&](size_t g) {
+      if (context_.is_cancelled() || !lies_flat(groups[g])) groups[g].clear();
+    });
+    groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.empty(); }),
+                 groups.end());
     return groups;
   }
 

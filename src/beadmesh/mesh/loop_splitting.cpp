@@ -20,11 +20,15 @@ constexpr double first_radius = 3;   // in sizes: where larger loops look first
 constexpr int nodes_per_line = 150;  // a larger loop is split by several lines at once
 constexpr double cost_span = 0.4;    // between them
 
+// What of a line's cost is known: most lines lie so far behind that the rest is never asked for. The cost
+// only grows from one to the next.
+enum class Known { angles, shape, all };
+
 struct SplitLine {
   int from = 0, to = 0;  // positions, from < to
-  int edges = 0;
+  int edges = 0;         // 0 while only the angles are known
   double cost = 0;
-  bool checked = false;  // seen to be visible, its cost is complete
+  Known known = Known::angles;
 };
 
 class SplitSearch {
@@ -76,8 +80,15 @@ class SplitSearch {
       lines.pop_back();
       if (!chosen.empty() && line.cost > chosen.front().cost + cost_span) break;
       if (!is_far_from(line, chosen)) continue;
-      if (line.checked) {
+      if (line.known == Known::all) {
         chosen.push_back(line);
+        continue;
+      }
+      if (line.known == Known::angles) {
+        for (const SplitLine& shaped : with_edges(line)) {
+          lines.push_back(shaped);
+          std::push_heap(lines.begin(), lines.end(), dearer);
+        }
         continue;
       }
       const Index a = loop_[line.from], b = loop_[line.to];
@@ -85,7 +96,7 @@ class SplitSearch {
       if (clearance < least_clearance) continue;
       const double lack = std::max(0.0, wanted_clearance - clearance) / wanted_clearance;
       line.cost += clearance_weight * lack * lack;
-      line.checked = true;
+      line.known = Known::all;
       lines.push_back(line);
       std::push_heap(lines.begin(), lines.end(), dearer);
     }
@@ -155,6 +166,18 @@ class SplitSearch {
     const double at_j = part_at(j, i);
     const double cost_j = split_angle_cost(angles_[j], at_j);
     if (cost_j < 0) return;
+    lines.push_back({i, j, 0, cost_i + cost_j - largest_bonus(), Known::angles});
+  }
+
+  // Where the angles of the parts round to fewer quads than the whole, defect_cost is negative.
+  double largest_bonus() const { return 2 * weights_.singularity; }
+
+  // The line with the numbers of edges that suit it, at most two.
+  std::vector<SplitLine> with_edges(const SplitLine& bare) const {
+    std::vector<SplitLine> lines;
+    const int i = bare.from, j = bare.to;
+    const double at_i = part_at(i, j), at_j = part_at(j, i);
+    const double of_angles = split_angle_cost(angles_[i], at_i) + split_angle_cost(angles_[j], at_j);
     const double wanted = draft_.edge_count(loop_[i], loop_[j]);
     const int step = size_ % 2 == 0 ? 2 : 1;
     const int inner = j - i, outer = size_ - inner;
@@ -165,13 +188,14 @@ class SplitSearch {
       // Both parts must be smaller than the whole: recursion ends.
       if (edges >= inner || edges >= outer) break;
       if (edges == 1 && draft_.has_edge(loop_[i], loop_[j])) continue;
-      SplitLine line{i, j, edges, cost_i + cost_j};
+      SplitLine line{i, j, edges, of_angles, Known::shape};
       line.cost += weights_.misfit * misfit_cost(wanted, edges) + weights_.length * edges;
       const double share = static_cast<double>(inner) / size_;
       line.cost += weights_.balance * (1 - 4 * share * (1 - share));
       line.cost += defect_cost(line, at_i, at_j);
       lines.push_back(line);
     }
+    return lines;
   }
 
   double defect_cost(const SplitLine& line, double at_i, double at_j) const {
