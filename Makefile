@@ -2,7 +2,7 @@
 PROGRAM := build/release/apps/beadmesh/beadmesh
 MAKE_PANEL := build/release/examples/make_example_panel
 
-.PHONY: demo test build program packages test-packages
+.PHONY: demo test random build program packages test-packages
 
 demo: program
 	@mkdir -p demo
@@ -19,6 +19,12 @@ demo: program
 
 test: test-packages build
 	ctest --preset release
+
+# A thousand panels by chance (FIRST=1 COUNT=1000); those that break a hard rule are kept in random/.
+FIRST := 1
+COUNT := 1000
+random: program
+	python3 tests/cli/random_panels.py --first $(FIRST) --count $(COUNT) --jobs "$$(nproc)" --keep random
 
 build: packages
 	cmake --preset release

@@ -66,6 +66,10 @@ void add_options(CLI::App& app, Request& request) {
       ->check(CLI::PositiveNumber);
   app.add_option("--only", request.shapes.only, "shapes: " + shape_names())->delimiter(',');
   app.add_option("--beads", request.random.beads, "random: how many (20)")->check(CLI::Range(0, 1000));
+  app.add_option("--length", request.random.length, "random: of the sheet, mm (by chance)")
+      ->check(CLI::Range(80.0, 10000.0));
+  app.add_option("--breadth", request.random.width, "random: of the sheet, mm (by chance)")
+      ->check(CLI::Range(80.0, 10000.0));
   app.add_option("--seed", request.random.seed, "shapes: turns and stretches (0: none); random: the mix (1)");
 }
 

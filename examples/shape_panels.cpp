@@ -108,7 +108,9 @@ class RandomPanel {
   explicit RandomPanel(const RandomPanelOptions& options) : chance_(options.seed) {
     panel_.name = "random-" + std::to_string(options.seed);
     panel_.length = chance_.between(400, 900);
+    if (options.length > 0) panel_.length = options.length;
     panel_.width = panel_.length * chance_.between(0.5, 0.9);
+    if (options.width > 0) panel_.width = options.width;
     const auto by_chance = BaseKind(chance_.below(4));
     const double radius = panel_.length * chance_.between(1.3, 5);
     panel_.base = curved(options.base.value_or(by_chance), radius);

@@ -28,6 +28,7 @@ struct RandomPanelOptions {
   std::uint64_t seed = 1;
   int beads = 20;                               ///< that are tried; what finds no place is left out
   std::optional<BaseKind> base = std::nullopt;  ///< nothing: by chance
+  double length = 0, width = 0;                 ///< mm, of the sheet; 0: by chance
 };
 
 /// Shapes, sizes (8 to 40 mm wide, 2 to 10 mm high), turns, base, holes and the sheet's size by chance; the

@@ -48,5 +48,29 @@ TEST(MeshDraft, TakesBackAndPutsAgain) {
   EXPECT_EQ(draft.elements().size(), 1u);
 }
 
+TEST(MeshDraft, AnAreaIsADraftOfItsOwn) {
+  const NodeLoops loops = graded_loop();
+  MeshDraft whole(loops, nullptr, 1);
+  const Index first = whole.add_node({1, 1});
+  whole.add_element({0, 1, first, 59});
+  const std::vector<Index> nodes{0, 1, 2, first};
+  MeshDraft area(whole, nodes);
+  EXPECT_TRUE(area.has_edge(0, 1)) << "of the loop";
+  EXPECT_TRUE(area.has_edge(1, 3)) << "of an element of the whole";
+  EXPECT_FALSE(area.has_edge(0, 2));
+  EXPECT_EQ(area.valence(3), 1);
+  EXPECT_EQ(area.fixed_nodes(), 3) << "the last of the four is not on the whole's loops";
+  EXPECT_EQ(area.surface_length(0, 3), whole.surface_length(0, first));
+
+  const MeshDraft::Mark mark = area.mark();
+  area.add_element({1, 2, area.add_node({2, 1}), 3});
+  const MeshDraft::Piece piece = area.take_back(mark);
+  const Index meanwhile = whole.add_node({3, 3});
+  whole.put(piece, nodes);
+  EXPECT_EQ(whole.elements().back(), (MeshElement{1, 2, meanwhile + 1, first}));
+  EXPECT_EQ(whole.at(meanwhile + 1), (Vec2{2, 1}));
+  EXPECT_EQ(whole.valence(first), 2);
+}
+
 }  // namespace
 }  // namespace beadmesh

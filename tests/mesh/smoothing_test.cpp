@@ -174,6 +174,12 @@ TEST(Smoothing, SurfacePassesBringElementsNearer) {
   EXPECT_GT(report.scaled_jacobian_min, 0.8);
   EXPECT_GT(report.deviation, 0);
   EXPECT_EQ(report.edges_below_min, 0);
+  EXPECT_FALSE(report.given_up);
+
+  PlanarMesh hopeless = sample::grid(8, 8, 5.0);
+  options.hopeless = 1.1;
+  EXPECT_TRUE(smooth(hopeless, &map, options).given_up);
+  EXPECT_EQ(hopeless.nodes, plain.nodes) << "the passes are left out";
 }
 
 }  // namespace

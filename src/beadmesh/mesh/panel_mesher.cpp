@@ -11,6 +11,7 @@
 #include "beadmesh/mesh/chain_nodes.h"
 #include "beadmesh/mesh/controlled_bead.h"
 #include "beadmesh/mesh/face_mesher.h"
+#include "beadmesh/mesh/face_shortfalls.h"
 #include "beadmesh/mesh/ring_counts.h"
 #include "beadmesh/panel/chain.h"
 
@@ -65,6 +66,8 @@ class PanelMesher {
     context_.report("assemble", 0);
     assemble();
     if (out_.mesh.elements.empty()) return fail("mesh.nothing", "no face of the panel could be meshed");
+    for (Diagnostic& one : face_shortfalls(out_.mesh, options_.min_edge))
+      out_.table.diagnostics.push_back(std::move(one));
     drop_unlisted();
     return std::move(out_);
   }
