@@ -14,7 +14,7 @@ demo: program
 	  '  floor.step   the panel' \
 	  '  floor.bdf    the mesh, a Nastran deck with a property and sets per bead' \
 	  '  floor.json   the bead table' \
-	  '  floor.html   the picture: beads by kind, medial axes, mesh (open it in a browser)' \
+	  '  floor.html   the report in 3-D: beads by kind, medial axes, mesh (open it in a browser)' \
 	  '  medial.svg   the medial object of one bead'
 
 test: test-packages build

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the lists that are missing.
-#   install_packages.sh LIST...     for example apt-packages.txt; one package a line, # begins a comment
+#   install_packages.sh LIST...     for example apt-packages.txt; one package a line, # begins a comment; a second word
+#                                   is a program that makes the package needless where it is on the path
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 missing=()
-while read -r package; do
+while read -r package program; do
   [[ -z $package || $package == \#* ]] && continue
+  [[ -n $program ]] && command -v "$program" > /dev/null && continue
   [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
 done < <(cat "$@")
 [[ ${#missing[@]} -eq 0 ]] && exit 0

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <ostream>
 
+#include "beadmesh/core/version.h"
+#include "beadmesh/report/panel_html.h"
 #include "beadmesh/write/bead_csv.h"
 #include "beadmesh/write/bead_json.h"
 #include "outputs.h"
@@ -11,6 +13,21 @@
 #include "verbs.h"
 
 namespace beadmesh::app {
+
+namespace {
+
+/// The report of the beads alone: on the surface, without a mesh.
+std::string report_of(const Panel& panel, const BeadTable& table) {
+  PanelMesh recognised;
+  recognised.table = table;
+  return panel_html(panel, recognised,
+                    {panel.input,
+                     {{"faces", std::to_string(input_face_count(panel))},
+                      {"beads", std::to_string(table.beads.size())},
+                      {"beadmesh", std::string(version())}}});
+}
+
+}  // namespace
 
 Result<int> run_beads(const Options& options) {
   ProgressBar bar;
@@ -24,6 +41,7 @@ Result<int> run_beads(const Options& options) {
   Outputs outputs;
   outputs.add(options.outputs.json, [&](std::ostream& out) { out << bead_json(*panel, table); });
   outputs.add(options.outputs.csv, [&](std::ostream& out) { out << bead_csv(*panel, table); });
+  outputs.add(options.outputs.report, [&](std::ostream& out) { out << report_of(*panel, table); });
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
   bar.clear();
   if (options.timings) fmt::print(stderr, "{}", timing_table(bar.stages()));

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <ostream>
 
+#include "beadmesh/core/version.h"
+#include "beadmesh/mesh/quality_criteria.h"
 #include "beadmesh/report/panel_html.h"
 #include "beadmesh/report/panel_svg.h"
 #include "beadmesh/write/bead_csv.h"
@@ -43,7 +45,10 @@ ReportFacts facts_of(const Panel& panel, const Settings& settings) {
           {{"size", fmt::format("{:g} mm", settings.sizes.size)},
            {"minimum edge", fmt::format("{:g} mm", settings.sizes.min_edge)},
            {"thickness", fmt::format("{:g} mm", settings.sizes.thickness)},
-           {"faces", std::to_string(input_face_count(panel))}}};
+           {"faces", std::to_string(input_face_count(panel))},
+           {"beadmesh", std::string(version())}},
+          settings.sizes.min_edge,
+          criteria_of_sizes(settings.sizes.size, settings.sizes.min_edge)};
 }
 
 bool is_picture(const std::string& name) {

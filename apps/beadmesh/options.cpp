@@ -85,13 +85,14 @@ void add_mesh(CLI::App& app, RawOptions& raw) {
                   "crash (5 / 2.5 mm), nvh (10 / 4 mm), durability (5 / 1.5 mm)");
   add_controls(verb, raw);
   add_deck(verb, raw);
-  verb.add_option("--report", raw.outputs.report, "report: .html, or only the picture: .svg");
+  verb.add_option("--report", raw.outputs.report, "report in 3-D: .html, or only a flat picture: .svg");
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
 }
 
 void add_beads(CLI::App& app, RawOptions& raw) {
   CLI::App& verb = *app.add_subcommand("beads", "recognise the beads of a panel: their table");
   add_common(verb, raw);
+  verb.add_option("--report", raw.outputs.report, "report: .html, the beads on the surface");
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
 }
 

@@ -21,10 +21,13 @@ struct Named {
   bool may_be_stdout;
 };
 
-std::vector<Named> asked_for(const OutputNames& names) {
+std::vector<Named> asked_for(const Options& options) {
+  const OutputNames& names = options.outputs;
+  std::vector<std::string> reports = {".html", ".htm"};
+  if (options.verb == Verb::mesh) reports.push_back(".svg");  // the flat picture is one of the mesh
   std::vector<Named> all = {
       {"--output", names.deck, {}, false},   {"--json", names.json, {}, true},
-      {"--csv", names.csv, {}, true},        {"--report", names.report, {".html", ".htm", ".svg"}, false},
+      {"--csv", names.csv, {}, true},        {"--report", names.report, reports, false},
       {"--svg", names.svg, {".svg"}, false}, {"--save-criteria", names.criteria, {}, false}};
   std::vector<Named> asked;
   for (Named& one : all)
@@ -67,7 +70,7 @@ Result<void> check_names(const std::vector<Named>& asked, const fs::path& input)
 }  // namespace
 
 Result<void> check_outputs(const Options& options) {
-  const std::vector<Named> asked = asked_for(options.outputs);
+  const std::vector<Named> asked = asked_for(options);
   if (!options.outputs.deck.empty())
     if (auto known = check_deck_ending(options.outputs.deck); !known) return known;
   if (auto good = check_names(asked, options.input); !good) return good;

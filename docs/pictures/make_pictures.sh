@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draws the pictures of the documentation anew, by the program itself, from the example panels.
 # Usage, after `make build`: docs/pictures/make_pictures.sh [BUILD_FOLDER]      default: build/release
-# Needs rsvg-convert (Debian: librsvg2-bin).
+# Needs rsvg-convert (Debian: librsvg2-bin); for the report node, chromium and `npm ci`.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "${1:-$here/../../build/release}" && pwd)
@@ -27,6 +27,9 @@ for panel in basic curved floor; do "$build/examples/make_example_panel" $panel 
 
 mesh floor floor
 png floor 1200
+
+"$beadmesh" mesh floor.step -o floor.bdf --report floor.html || [ $? -eq 1 ]
+node "$here/make_report_pictures.mjs" floor.html "$here"
 
 mesh basic basic
 crop basic i_bead "70 165 580 140" && png i_bead 1100

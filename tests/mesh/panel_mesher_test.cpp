@@ -168,6 +168,25 @@ TEST(PanelMesher, NestedRingsShareTheirNodes) {
   EXPECT_EQ(mesh->quality.edges_below_min, 0);
 }
 
+TEST(PanelMesher, KeepsTheSidesOfTheBlocksAsTheyWereMeshed) {
+  const Panel panel = plate_of_every_kind();
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
+  ASSERT_TRUE(mesh);
+  for (size_t b = 0; b < mesh->meshing.size(); ++b) {
+    const BeadMeshing& meshing = mesh->meshing[b];
+    ASSERT_EQ(meshing.method, "blocks");
+    EXPECT_GT(meshing.blocks, 1);
+    std::map<VirtualEdgeKind, int> lines;
+    for (const BlockSideLine& line : meshing.block_lines) {
+      ++lines[line.kind];
+      for (const Vec3& p : line.points)
+        EXPECT_NE(std::find(mesh->mesh.nodes.begin(), mesh->mesh.nodes.end(), p), mesh->mesh.nodes.end());
+    }
+    EXPECT_GT(lines[VirtualEdgeKind::boundary], 1);
+    EXPECT_GT(lines[VirtualEdgeKind::split], 1) << "bead " << b;
+  }
+}
+
 /// Positions of the nodes of a bead's elements, in the order of the elements.
 std::vector<Vec3> bead_nodes(const ShellMesh& mesh, Index bead) {
   std::vector<Vec3> points;

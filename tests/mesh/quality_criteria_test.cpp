@@ -90,6 +90,19 @@ TEST(QualityCriteria, LimitsOfThePresets) {
   EXPECT_TRUE((*crash)[min_length].fails(2.499));
 }
 
+TEST(QualityCriteria, LimitsOfSizesAreThoseOfThePresetOfTheseSizes) {
+  for (const auto& [name, size, min_edge] :
+       {std::tuple{"crash", 5.0, 2.5}, {"nvh", 10.0, 4.0}, {"durability", 5.0, 1.5}}) {
+    const auto preset = *criteria_of_preset(name), same = criteria_of_sizes(size, min_edge);
+    for (int m = 0; m < measure_count; ++m) {
+      EXPECT_EQ(same.of[m].fail, preset.of[m].fail) << name << " " << m;
+      EXPECT_EQ(same.of[m].on, preset.of[m].on) << name << " " << m;
+    }
+  }
+  EXPECT_EQ(criteria_of_sizes(3, 1)[min_length].fail, 1);
+  EXPECT_EQ(criteria_of_sizes(3, 1)[max_length].fail, 6);
+}
+
 TEST(QualityCriteria, CountsEachElementOnceAndNamesTheWorst) {
   // Two squares of 5 mm, one narrow quad, one triangle.
   const std::vector<Vec3> nodes = {{0, 0, 0}, {5, 0, 0},  {10, 0, 0}, {11, 0, 0}, {0, 5, 0},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadmesh/bead/ridge.h"
+#include "beadmesh/blocking/block_layout.h"
 #include "beadmesh/mesh/sliding_lines.h"
 
 namespace beadmesh {
@@ -16,10 +17,18 @@ struct BoundaryNode {
   BoundaryPosition at;
 };
 
+/// A side of blocks as it was meshed.
+struct BlockLine {
+  VirtualEdgeKind kind = VirtualEdgeKind::inner;
+  std::vector<Index> nodes;  ///< from end to end
+};
+
 struct BeadMesh {
   PlanarMesh mesh;
   std::vector<BoundaryNode> boundary;           ///< every boundary node once
   std::vector<std::vector<Index>> crest_lines;  ///< nodes along every ridge curve; closed: first == last
+  std::vector<BlockLine> block_lines;           ///< of blocks; else empty
+  int blocks = 0;                               ///< four-sided blocks; 0 for other methods
   std::vector<SlidingLine> lines;               ///< what sliding nodes slide along
   std::string method;                           ///< "blocks", "ridge" or "fallback"
   std::vector<std::string> notes;               ///< why an earlier method was left

@@ -25,6 +25,9 @@ class BlockMapper {
         out_.cap_elements.push_back(e);
     }
     collect_crest_lines();
+    for (size_t e = 0; e < edge_nodes_.size(); ++e)
+      out_.block_lines.push_back({layout_.edges[e].kind, edge_nodes_[e]});
+    out_.blocks = int(layout_.blocks.size());
     return std::move(out_);
   }
 

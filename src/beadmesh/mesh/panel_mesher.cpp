@@ -28,6 +28,7 @@ struct FaceMesh {
   std::vector<std::pair<Index, Index>> boundary;  ///< (node of the face, boundary node of the panel)
   std::vector<std::vector<Index>> crest_lines;
   std::vector<Index> cap_elements;
+  std::vector<BlockLine> block_lines;
 };
 
 class PanelMesher {
@@ -192,6 +193,8 @@ class PanelMesher {
     for (size_t i = 0; i < ids.size(); ++i) out.boundary.emplace_back(fresh_nodes[i], ids[i]);
     out.crest_lines = std::move(mesh.crest_lines);
     out.cap_elements = std::move(mesh.cap_elements);
+    out.block_lines = std::move(mesh.block_lines);
+    out_.meshing[b].blocks = mesh.blocks;
     out_.meshing[b].method = mesh.method;
     out_.meshing[b].elements = int(mesh.mesh.elements.size());
     out_.meshing[b].notes = std::move(mesh.notes);
@@ -368,6 +371,7 @@ class PanelMesher {
           {element, part, panel_.faces[face].number, b == no_index ? 0 : studied_.table.beads[b].id});
     }
     if (b != no_index) add_set(b, mesh, global, first);
+    if (b != no_index) add_block_lines(b, mesh, global);
   }
 
   /// A quad starts at the corner whose diagonal lies nearer to the surface: programs that split quads along
@@ -401,6 +405,14 @@ class PanelMesher {
     for (Index e : mesh.cap_elements) set.cap_elements.push_back(first + e);
     set.boundary_nodes = boundary_nodes(out_.mesh, set.elements);
     out_.mesh.beads.push_back(std::move(set));
+  }
+
+  void add_block_lines(Index b, const FaceMesh& mesh, const std::vector<Index>& global) {
+    for (const BlockLine& line : mesh.block_lines) {
+      BlockSideLine side{line.kind, {}};
+      for (const Index n : line.nodes) side.points.push_back(out_.mesh.nodes[global[n]]);
+      out_.meshing[b].block_lines.push_back(std::move(side));
+    }
   }
 
   /// One property a kind of region, made when first needed.

@@ -60,6 +60,25 @@ Criterion between(double ideal, double fail, double worst) {
   return {true, 1, ideal, part(0.4), part(0.8), fail, worst};
 }
 
+QualityCriteria criteria_of(const PresetLimits& limits) {
+  using enum QualityMeasure;
+  QualityCriteria criteria;
+  criteria[min_length] = between(limits.size, limits.min_length, 0);
+  criteria[max_length] = between(limits.size, limits.max_length, 2 * limits.max_length);
+  criteria[aspect_ratio] = between(1, limits.aspect, 2 * limits.aspect);
+  criteria[warpage] = between(0, 15, 90);
+  criteria[max_angle_quad] = between(90, 140, 180);
+  criteria[min_angle_quad] = between(90, 40, 0);
+  criteria[max_angle_tria] = between(60, 120, 180);
+  criteria[min_angle_tria] = between(60, 20, 0);
+  criteria[skew] = between(0, 60, 90);
+  criteria[jacobian] = between(1, 0.6, 0);
+  criteria[chordal_deviation] = between(0, 0.2 * limits.size, limits.size);
+  criteria[chordal_deviation].on = false;
+  criteria[triangle_share] = between(0, limits.triangles, 3 * limits.triangles);
+  return criteria;
+}
+
 void take(MeasureFindings& findings, const Criterion& criterion, double value, Index element) {
   const bool is_worse =
       !findings.extreme || (criterion.large_is_bad() ? value > *findings.extreme : value < *findings.extreme);
@@ -75,26 +94,15 @@ std::string_view name_of(QualityMeasure measure) {
   return names[static_cast<size_t>(measure)];
 }
 
+QualityCriteria criteria_of_sizes(double size, double min_edge) {
+  const bool coarse = size >= presets[1].size;
+  const PresetLimits& like = coarse ? presets[1] : presets[0];
+  return criteria_of({"", size, min_edge, 2 * size, like.aspect, like.triangles});
+}
+
 std::optional<QualityCriteria> criteria_of_preset(std::string_view preset) {
-  for (const PresetLimits& limits : presets) {
-    if (limits.name != preset) continue;
-    using enum QualityMeasure;
-    QualityCriteria criteria;
-    criteria[min_length] = between(limits.size, limits.min_length, 0);
-    criteria[max_length] = between(limits.size, limits.max_length, 2 * limits.max_length);
-    criteria[aspect_ratio] = between(1, limits.aspect, 2 * limits.aspect);
-    criteria[warpage] = between(0, 15, 90);
-    criteria[max_angle_quad] = between(90, 140, 180);
-    criteria[min_angle_quad] = between(90, 40, 0);
-    criteria[max_angle_tria] = between(60, 120, 180);
-    criteria[min_angle_tria] = between(60, 20, 0);
-    criteria[skew] = between(0, 60, 90);
-    criteria[jacobian] = between(1, 0.6, 0);
-    criteria[chordal_deviation] = between(0, 0.2 * limits.size, limits.size);
-    criteria[chordal_deviation].on = false;
-    criteria[triangle_share] = between(0, limits.triangles, 3 * limits.triangles);
-    return criteria;
-  }
+  for (const PresetLimits& limits : presets)
+    if (limits.name == preset) return criteria_of(limits);
   return std::nullopt;
 }
 

@@ -62,6 +62,10 @@ struct QualityCriteria {
 /// name.
 std::optional<QualityCriteria> criteria_of_preset(std::string_view preset);
 
+/// Usual limits at these sizes, mm: as the presets, lengths from `min_edge` to twice the size; aspect ratio
+/// and share of triangles those of nvh from its size on.
+QualityCriteria criteria_of_sizes(double size, double min_edge);
+
 /// Value of one element; none where the measure does not apply to it. Neither chordal deviation nor the share
 /// of triangles is a value of an element.
 std::optional<double> measured(const std::vector<Vec3>& nodes, const MeshElement& element,

@@ -1,0 +1,239 @@
+#include "beadmesh/report/report_tables.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "beadmesh/report/drawing.h"
+
+namespace beadmesh::report_tables {
+namespace {
+
+using drawing::escaped;
+
+struct Column {
+  const char* name;
+  bool number = false;
+  const char* meaning = "";
+};
+
+std::string section(const char* id, const char* heading, size_t count, const std::string& body) {
+  return fmt::format("<section id=\"{}\" data-count=\"{}\"><h2>{}</h2>\n{}</section>\n", id, count, heading,
+                     body.empty() ? "<p class=\"none\">None.</p>\n" : body);
+}
+
+template <size_t n>
+std::string table(const char* caption, const Column (&columns)[n], const std::string& rows) {
+  std::string text =
+      fmt::format("<div class=\"wide\"><table class=\"sortable\"><caption>{}</caption><thead><tr>", caption);
+  for (const Column& column : columns)
+    text += fmt::format("<th scope=\"col\"{}{}>{}</th>", column.number ? " class=\"number\"" : "",
+                        *column.meaning ? fmt::format(" title=\"{}\"", column.meaning) : "", column.name);
+  return text + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
+}
+
+std::string number(const std::string& value) {
+  return "<td class=\"number\">" + value + "</td>";
+}
+
+std::string figure(const std::string& value, const char* name, bool bad = false) {
+  return fmt::format("<div class=\"figure{}\"><dd>{}</dd><dt>{}</dt></div>\n", bad ? " bad" : "", value,
+                     name);
+}
+
+/// 12345 as 12,345.
+std::string grouped(long value) {
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (size_t i = 0; i < digits.size(); ++i) {
+    const size_t left = digits.size() - i;
+    if (i > 0 && left % 3 == 0 && digits[i - 1] != '-') text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += (text.empty() ? "" : "; ") + note;
+  return text;
+}
+
+std::string faces_of(const Panel& panel, const Bead& bead) {
+  std::string text;
+  for (const Index face : input_numbers(panel, bead.faces))
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", face);
+  return text;
+}
+
+std::string meshing_cells(const PanelMesh& mesh, size_t i) {
+  if (i >= mesh.meshing.size()) return "";
+  const BeadMeshing& meshing = mesh.meshing[i];
+  return fmt::format("<td{}>{}</td>{}<td class=\"text\">{}</td>",
+                     meshing.method == "fallback" ? " class=\"fallback\"" : "", escaped(meshing.method),
+                     number(std::to_string(meshing.elements)), escaped(joined(meshing.notes)));
+}
+
+std::string bead_row(const Panel& panel, const PanelMesh& mesh, size_t i) {
+  const Bead& b = mesh.table.beads[i];
+  const std::string kind = name_of(b.kind);
+  std::string text =
+      fmt::format("<tr data-bead=\"{}\"><th scope=\"row\" class=\"number\">{}</th>", b.id, b.id);
+  text += fmt::format("<td><i class=\"kind kind-{}\"></i>{}</td><td>{}</td><td class=\"text\">{}</td>", kind,
+                      kind, escaped(b.shape), faces_of(panel, b));
+  for (const auto& [value, digits] :
+       {std::pair{b.length, 1}, {b.width, 2}, {b.height, 2}, {b.aspect_ratio, 1}})
+    text += number(fmt::format("{:.{}f}", value, digits));
+  text += number(std::to_string(b.junctions)) + number(std::to_string(b.ends));
+  return text + meshing_cells(mesh, i) + "</tr>\n";
+}
+
+std::string limit_of(double value) {
+  return fmt::format("{:.4g}", value);
+}
+
+std::string element_cell(Index element) {
+  if (element == no_index) return "<td class=\"number\">–</td>";
+  return fmt::format("<td class=\"number\">{}</td>", element + 1);
+}
+
+std::string criterion_row(QualityMeasure measure, const Criterion& limits, const MeasureFindings& found) {
+  const bool bad = limits.on && found.failed > 0;
+  std::string text = found.extreme_element == no_index
+                         ? "<tr>"
+                         : fmt::format("<tr data-element=\"{}\">", found.extreme_element);
+  text += fmt::format("<th scope=\"row\">{}</th>", name_of(measure));
+  text += number(fmt::format("{} {}", limits.large_is_bad() ? "≤" : "≥", limit_of(limits.fail)));
+  text += number(found.extreme ? fmt::format("{:.3f}", *found.extreme) : "–");
+  text += element_cell(found.extreme_element);
+  text += number(limits.on ? grouped(found.warned) : "–") + number(limits.on ? grouped(found.failed) : "–");
+  return text + fmt::format("<td class=\"{}\">{}</td></tr>\n",
+                            !limits.on ? "none"
+                            : bad      ? "fails"
+                                       : "passes",
+                            !limits.on ? "not judged"
+                            : bad      ? "✗ fails"
+                                       : "✓ passes");
+}
+
+std::vector<MeshElement> elements_of(const ShellMesh& mesh) {
+  std::vector<MeshElement> elements;
+  for (const ShellElement& element : mesh.elements) elements.push_back(element.nodes);
+  return elements;
+}
+
+/// "bead 3" gives 3, anything else 0: diagnostics name beads so.
+Index bead_named(std::string_view entity) {
+  if (entity.substr(0, 5) != "bead ") return 0;
+  Index id = 0;
+  for (const char c : entity.substr(5)) {
+    if (c < '0' || c > '9' || id > 100000000) return 0;
+    id = id * 10 + (c - '0');
+  }
+  return id;
+}
+
+std::string diagnostic_row(const Diagnostic& d) {
+  std::string about;
+  if (const Index bead = bead_named(d.entity)) about += fmt::format(" data-bead=\"{}\"", bead);
+  if (d.face != no_index) about += fmt::format(" data-face=\"{}\"", d.face);
+  const std::string_view severity = name_of(d.severity);
+  return fmt::format(
+      "<tr{}><td class=\"{}\">{}</td><td>{}</td>{}<td>{}</td><td class=\"text\">{}</td><td "
+      "class=\"text\">{}</td></tr>\n",
+      about, severity, severity, escaped(d.code), number(d.face == no_index ? "" : std::to_string(d.face)),
+      escaped(d.entity), escaped(d.message), escaped(d.hint));
+}
+
+}  // namespace
+
+std::string overview(const PanelMesh& mesh) {
+  const QualitySummary& q = mesh.quality;
+  const int elements = q.quads + q.trias;
+  if (elements == 0) return "";
+  std::string text = "<dl class=\"figures\">\n";
+  text += figure(grouped(static_cast<long>(mesh.table.beads.size())), "beads");
+  text += figure(grouped(q.nodes), "nodes") + figure(grouped(q.quads), "quads") +
+          figure(grouped(q.trias), "triangles");
+  text += figure(fmt::format("{:.2f} %", 100.0 * q.quads / elements), "quads of all elements");
+  text += figure(fmt::format("{:.3f}", q.scaled_jacobian_min), "scaled Jacobian, min",
+                 q.scaled_jacobian_min <= 0);
+  text += figure(fmt::format("{:.3f}", q.scaled_jacobian_mean), "scaled Jacobian, mean");
+  text += figure(fmt::format("{:.2f}", q.edge_min), "shortest edge, mm", q.edges_below_min > 0);
+  text += figure(fmt::format("{:.2f}", q.edge_max), "longest edge, mm");
+  text += figure(grouped(q.edges_below_min), "edges below minimum", q.edges_below_min > 0);
+  text += figure(grouped(q.inverted), "inverted", q.inverted > 0);
+  text += figure(fmt::format("{:.1f}°", q.warpage_max), "largest warpage");
+  text += figure(grouped(q.warped_over_15), "warped over 15°");
+  text += figure(grouped(q.irregular), "irregular nodes");
+  return "<section id=\"overview\"><h2>Overview</h2>\n" + text + "</dl></section>\n";
+}
+
+std::string beads(const Panel& panel, const PanelMesh& mesh) {
+  static constexpr Column recognised[] = {
+      {"id", true},
+      {"kind", false, "I: one crest; generic: with junctions; annular: around a hole"},
+      {"shape"},
+      {"faces", false, "numbers in the order of the file"},
+      {"length, mm", true, "of all crest lines"},
+      {"width, mm", true, "mean over the crest lines"},
+      {"height, mm", true, "of the crest over the boundary"},
+      {"ratio", true, "mean of length to width of the arms"},
+      {"junctions", true},
+      {"ends", true}};
+  static constexpr Column meshed[] = {recognised[0], recognised[1], recognised[2], recognised[3],
+                                      recognised[4], recognised[5], recognised[6], recognised[7],
+                                      recognised[8], recognised[9], {"meshed by"}, {"elements", true},
+                                      {"notes"}};
+  std::string rows;
+  for (size_t i = 0; i < mesh.table.beads.size(); ++i) rows += bead_row(panel, mesh, i);
+  if (!rows.empty())
+    rows = mesh.meshing.empty() ? table("Beads that were recognised", recognised, rows)
+                                : table("Beads and how they were meshed", meshed, rows);
+  return section("beads", "Beads", mesh.table.beads.size(), rows);
+}
+
+std::string quality(const PanelMesh& mesh, const ReportFacts& facts) {
+  if (mesh.mesh.elements.empty() || !facts.criteria) return "";
+  static constexpr Column columns[] = {{"criterion"},
+                                       {"limit", true},
+                                       {"worst value", true},
+                                       {"worst element", true, "number in the deck"},
+                                       {"near the limit", true, "elements past the warning limit"},
+                                       {"failed", true, "elements past the limit"},
+                                       {"verdict"}};
+  const CriteriaFindings found = judge(mesh.mesh.nodes, elements_of(mesh.mesh), *facts.criteria);
+  std::string rows;
+  int failed = 0;
+  for (int m = 0; m < measure_count; ++m) {
+    rows += criterion_row(static_cast<QualityMeasure>(m), facts.criteria->of[m], found.of[m]);
+    failed += facts.criteria->of[m].on && found.of[m].failed > 0;
+  }
+  const std::string all =
+      fmt::format("<p>{} of {} elements fail a criterion ({:.2f} %).</p>\n", grouped(found.failing),
+                  grouped(found.elements), found.elements ? 100.0 * found.failing / found.elements : 0.0);
+  return section("quality", "Quality", static_cast<size_t>(failed),
+                 all + table("Element quality against the limits", columns, rows));
+}
+
+std::string diagnostics(const BeadTable& table_of_beads) {
+  static constexpr Column columns[] = {{"severity"}, {"code"},    {"face", true},
+                                       {"entity"},   {"message"}, {"hint"}};
+  std::string rows;
+  for (const Diagnostic& d : table_of_beads.diagnostics) rows += diagnostic_row(d);
+  return section("diagnostics", "Diagnostics", table_of_beads.diagnostics.size(),
+                 rows.empty() ? "" : table("Diagnostics", columns, rows));
+}
+
+std::string faces_not_beads(const BeadTable& table_of_beads) {
+  static constexpr Column columns[] = {{"face", true}, {"reason"}};
+  std::string rows;
+  for (const RejectedFace& face : table_of_beads.faces_not_beads)
+    rows += fmt::format(
+        "<tr data-face=\"{}\"><th scope=\"row\" class=\"number\">{}</th><td class=\"text\">{}</td></tr>\n",
+        face.face, face.face, escaped(face.reason));
+  return section("faces", "Faces that are no beads", table_of_beads.faces_not_beads.size(),
+                 rows.empty() ? "" : table("Faces that are no beads, and why", columns, rows));
+}
+
+}  // namespace beadmesh::report_tables
