@@ -25,6 +25,7 @@ export const launch = (more = []) => chromium.launch({executablePath: browserPat
 /** Opens a report; fails on any error of the page, and on any request but the file's own. */
 export async function open(browser, file, {width = 1080, height = 700, colorScheme = "light", media} = {}) {
   const page = await browser.newPage({viewport: {width, height}, colorScheme, reducedMotion: "reduce"});
+  page.setDefaultTimeout(120000);  // the machine may be busy
   page.faults = [];
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver Message/.test(message.text()))

@@ -421,6 +421,16 @@ describe("other pages", () => {
     await plain.close();
   });
 
+  test("a browser that cannot inflate gets it done by the page", async () => {
+    const context = await browser.newContext(), old = await context.newPage();
+    await old.addInitScript(() => { delete window.DecompressionStream; });
+    await old.goto(`file://${makePage(95, "panel")}`);
+    await old.waitForFunction(() => document.documentElement.dataset.ready === "true", null, {timeout: 120000});
+    assert.equal(await old.evaluate(() => typeof DecompressionStream), "undefined");
+    assert.equal(await old.evaluate(() => beadmesh.stage.scene.mesh.count), 6046);
+    await context.close();
+  });
+
   test("without script the tables are there", async () => {
     const context = await browser.newContext({javaScriptEnabled: false});
     const bare = await context.newPage();

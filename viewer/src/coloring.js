@@ -9,7 +9,7 @@ const tail = 0.001;
 
 /** Range that holds nearly all values, and the limit where there is one. */
 export function usualRange(measure) {
-  const values = Array.from(measure.values).filter((value) => !Number.isNaN(value)).sort((a, b) => a - b);
+  const values = measure.values.filter((value) => !Number.isNaN(value)).sort();
   let low = values[Math.floor(tail * (values.length - 1))], high = values[Math.ceil((1 - tail) * (values.length - 1))];
   const span = high - low;
   // A far outlier must not press all others into one colour; a near one may as well be shown.
@@ -119,9 +119,10 @@ export class Coloring {
            make("select", {onchange: (event) => this.setRamp(event.target.value)},
                 ...Object.keys(ramps).map((name) => make("option", {value: name, selected: name === ramp}, name)))),
     ];
+    const beyond = `${measure.large_is_bad ? "over" : "under"} ${short(measure.limit)}${unit}`;
     if (measure.limit !== null)
       parts.push(make("p", {class: failing ? "verdict fails" : "verdict passes"},
-          failing ? `✗ ${grouped(failing)} beyond ${short(measure.limit)}${unit}` : `✓ none beyond ${short(measure.limit)}${unit}`,
+          failing ? `✗ ${grouped(failing)} ${beyond}` : `✓ none ${beyond}`,
           failing ? make("button", {class: "small", "aria-pressed": "false", onclick: (event) => this.#toggleFailing(event.target)}, "Show") : null));
     return parts;
   }

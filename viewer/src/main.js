@@ -12,12 +12,14 @@ import {Tables} from "./tables.js";
 
 const stageHost = document.getElementById("stage"), tablesHost = document.getElementById("tables");
 
-/** Takes the place of the stage's own text until the picture is there. */
-function hasWebGL() {
+/** A canvas with a context to draw in; null where the browser has none. */
+function drawableCanvas() {
+  const canvas = document.createElement("canvas");
   try {
-    return Boolean(document.createElement("canvas").getContext("webgl2"));
+    const context = canvas.getContext("webgl2", {antialias: true, powerPreference: "high-performance"});
+    return context && {canvas, context};
   } catch {
-    return false;
+    return null;
   }
 }
 
@@ -30,27 +32,28 @@ class Report {
                                           point: (subject) => this.stage?.hover(subject && this.#known(subject))});
     this.help = makeHelp();
     this.#divider();
-    if (!hasWebGL()) {
+    const drawable = drawableCanvas();
+    if (!drawable) {
       document.body.classList.add("flat-only");
       await showFlatPicture(stageHost, "this browser has no WebGL 2");
     } else {
-      await this.#picture();
+      await this.#picture(drawable);
     }
     addEventListener("keydown", (event) => this.#key(event));
     document.documentElement.dataset.ready = "true";
     dispatchEvent(new Event("beadmesh-ready"));
   }
 
-  async #picture() {
+  async #picture(drawable) {
     const scene = await readScene(JSON.parse(document.getElementById("scene").textContent));
     this.view = make("div", {class: "view"});
     const sidebar = make("div", {class: "sidebar"});
     stageHost.append(sidebar, this.view);
-    const stage = this.stage = new Stage(scene, this.view);
+    const stage = this.stage = new Stage(scene, this.view, drawable);
     this.details = new Details(stage, this.view, () => this.choose(null));
     stage.covered = () => this.details.covers;
     this.coloring = new Coloring(stage);
-    this.layers = new Layers(stage, () => {});
+    this.layers = new Layers(stage, () => document.body.classList.toggle("patterned", stage.visible.patterns));
     sidebar.append(this.layers.element, this.coloring.element);
     this.view.append(this.#toolbar());
     this.#applyTheme();

@@ -1,5 +1,6 @@
 // The elements of the mesh: four vertices each, in the order of the elements, drawn in one call.
 import {BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, ShaderMaterial} from "three";
+import {rimOf} from "./outline.js";
 import {meshFragment, meshVertex, pickFragment, pickMeshVertex, stateByte, states} from "./shaders.js";
 
 /** 255 for the sides that a corner does not touch: quads by (u, v, 1-u, 1-v), triangles by their heights. */
@@ -77,17 +78,7 @@ export class MeshLayer {
 
   /** Ends of the sides that only one of the elements has: their outline. */
   outlineOf(elements) {
-    const {corners, nodes} = this.mesh, seen = new Map();
-    for (const e of elements)
-      for (let k = 0; k < 4; ++k) {
-        const a = corners[4 * e + k], b = corners[4 * e + (k + 1) % 4];
-        if (a === b) continue;
-        const key = a < b ? `${a} ${b}` : `${b} ${a}`;
-        if (!seen.delete(key)) seen.set(key, [a, b]);
-      }
-    const out = [];
-    for (const side of seen.values())
-      for (const node of side) out.push(nodes[3 * node], nodes[3 * node + 1], nodes[3 * node + 2]);
-    return out;
+    const {corners, nodes} = this.mesh;
+    return rimOf(elements.length, 4, (i, k) => corners[4 * elements[i] + k], nodes.length / 3, nodes);
   }
 }

@@ -12,6 +12,9 @@ ColorManagement.enabled = false;
 /** Kinds of block lines as the program numbers them. */
 const blockKinds = {boundary: 0, split: 1, crest: 2, inner: 3};
 
+/** More elements than these are seen without an outline. */
+const mostOutlined = 5000;
+
 export const themes = {
   light: {ground: "#f7f8fa", edge: "#3c4654", crest: "#12161c", axisCase: "#ffffff", split: "#8a1c00", inner: "#8a1c00",
           block: "#5b2a86", chosen: "#d1006c", ink: "#1b2430", halo: "#ffffff"},
@@ -20,18 +23,17 @@ export const themes = {
 };
 
 export class Stage {
-  /** @param scene of scene_data.js @param {HTMLElement} host holds the canvases */
-  constructor(scene, host) {
+  /** @param scene of scene_data.js @param {HTMLElement} host holds the canvases @param drawable canvas and its context */
+  constructor(scene, host, {canvas, context}) {
     this.scene = scene;
     this.host = host;
-    this.canvas = document.createElement("canvas");
+    this.canvas = canvas;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label", "The panel in 3-D. Arrow keys turn it, shift and arrow keys move it, plus and " +
         "minus zoom, f shows all, question mark lists all keys.");
     host.append(this.canvas);
-    this.renderer = new WebGLRenderer({canvas: this.canvas, antialias: true, preserveDrawingBuffer: false,
-                                       powerPreference: "high-performance"});
+    this.renderer = new WebGLRenderer({canvas, context, antialias: true});
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.world = new Scene();
     this.pickWorld = new Scene();
@@ -75,6 +77,7 @@ export class Stage {
                            {width: 2, order: 3, forward: 1.2, dash: this.#elementSize() * 0.5}),
       blocks: new LineLayer(segmentsOf(scene.blocks), {width: 1.6, order: 2, forward: 1.1}),
       chosen: new LineLayer([], {width: 4, order: 8, forward: 2.2}),
+      kept: new LineLayer([], {width: 3, order: 7, forward: 1.8}),
       hovered: new LineLayer([], {width: 2.4, order: 7, forward: 2}),
     };
     for (const line of Object.values(this.lines)) world.add(line.object);
@@ -121,6 +124,7 @@ export class Stage {
     Object.assign(this.lines.inner, {color: theme.inner});
     Object.assign(this.lines.blocks, {color: theme.block});
     Object.assign(this.lines.chosen, {color: theme.chosen});
+    Object.assign(this.lines.kept, {color: theme.chosen});
     Object.assign(this.lines.hovered, {color: theme.ink});
     this.repaint();
   }
@@ -167,9 +171,13 @@ export class Stage {
 
   // ------------------------------------------------------------------ marks
 
-  /** Elements for which `isKept` is false step back; null: none. */
+  /** Elements for which `isKept` is false step back, the others are outlined; null: none steps back. */
   keep(isKept) {
     this.kept = isKept;
+    const elements = [];
+    for (let e = 0; isKept && e < this.scene.mesh.count && elements.length <= mostOutlined; ++e)
+      if (isKept(e)) elements.push(e);
+    this.lines.kept.set(elements.length <= mostOutlined ? this.mesh.outlineOf(elements) : []);
     this.#mark();
   }
 
@@ -311,6 +319,7 @@ export class Stage {
     lines.axes.show(visible.axes), lines.axisCase.show(visible.axes);
     lines.splits.show(visible.splits), lines.inner.show(visible.splits);
     lines.blocks.show(visible.blocks);
+    lines.kept.show(visible.mesh);
     const lift = Math.min(0.3 * this.#lift(), 40 * rig.pixel);
     for (const line of Object.values(lines)) line.adapt(rig.width, rig.heightInPixels, rig.camera.far, lift);
     renderer.render(this.world, rig.camera);

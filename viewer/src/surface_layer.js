@@ -1,5 +1,6 @@
 // The faces of the panel as the reader's facets, shaded smoothly within each face.
 import {BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, ShaderMaterial} from "three";
+import {rimOf} from "./outline.js";
 import {pickFragment, pickSurfaceVertex, stateByte, states, surfaceFragment, surfaceVertex} from "./shaders.js";
 
 function geometryOf(surface) {
@@ -53,15 +54,7 @@ export class SurfaceLayer {
 
   /** Ends of the free sides of the facets of a face. */
   outlineOf(face) {
-    const {pointStart, triangleStart, points} = this.surface, index = this.geometry.index.array, seen = new Map();
-    for (let t = triangleStart[face]; t < triangleStart[face + 1]; ++t)
-      for (let k = 0; k < 3; ++k) {
-        const a = index[3 * t + k], b = index[3 * t + (k + 1) % 3];
-        const key = Math.min(a, b) * pointStart.at(-1) + Math.max(a, b);
-        if (!seen.delete(key)) seen.set(key, [a, b]);
-      }
-    const out = [];
-    for (const side of seen.values()) for (const p of side) out.push(points[3 * p], points[3 * p + 1], points[3 * p + 2]);
-    return out;
+    const {triangleStart, points} = this.surface, index = this.geometry.index.array, first = triangleStart[face];
+    return rimOf(triangleStart[face + 1] - first, 3, (t, k) => index[3 * (first + t) + k], points.length / 3, points);
   }
 }
