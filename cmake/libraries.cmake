@@ -18,7 +18,7 @@ endfunction()
 
 beadmesh_shared_library(beadmesh_shared beadmesh
   ROOMS core geometry panel read flatten delaunay medial bead blocking mesh write report pipeline
-  PRIVATELY $<BUILD_INTERFACE:TBB::tbb> $<BUILD_INTERFACE:fmt::fmt>)
+  PRIVATELY $<BUILD_INTERFACE:TBB::tbb> $<BUILD_INTERFACE:fmt::fmt> $<BUILD_INTERFACE:ZLIB::ZLIB>)
 target_link_libraries(beadmesh_shared INTERFACE tl::expected)
 set_target_properties(beadmesh_shared PROPERTIES EXPORT_NAME core)
 add_library(beadmesh::core ALIAS beadmesh_shared)
