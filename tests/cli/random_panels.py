@@ -24,8 +24,8 @@ class Recipe:
     def __init__(self, number):
         chance = random.Random(number)
         self.number = number
-        self.length = chance.uniform(120, 280)
-        self.breadth = self.length * chance.uniform(0.7, 1)
+        self.length = chance.uniform(120, 300)
+        self.breadth = max(80, self.length * chance.uniform(0.5, 1))
         self.base = chance.choice(["flat", "cylinder", "double", "saddle"])
         self.beads = round(self.length * self.breadth / 10000 * chance.uniform(0.3, 2.5))
         self.size = chance.choice([3, 4, 5, 5, 6, 8, 10])
