@@ -12,7 +12,10 @@ function(beadmesh_shared_library target name)
   target_include_directories(${target} INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(${target} INTERFACE cxx_std_20)
-  # By name: a shared library does not pass them on, but CMake would still look for their targets at the user's.
+  if(NOT BEADMESH_SANITIZE AND NOT BEADMESH_SANITIZE_THREADS AND NOT BEADMESH_FUZZ)
+    target_link_options(${target} PRIVATE -Wl,--no-undefined)  # a core that needs the CAD reader fails here
+  endif()
+  # For the build only: a shared library does not pass these on, but CMake would look for their targets at the user's.
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:beadmesh_options> ${LIBRARY_PRIVATELY})
 endfunction()
 

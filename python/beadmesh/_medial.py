@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import NamedTuple, Optional, Sequence
+from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -77,9 +77,14 @@ class PanelMedials(NamedTuple):
     diagnostics: list[Diagnostic]
 
 
-def _object(raw: dict) -> MedialObject:
-    edges = [MedialEdge(**{**edge, "thickness": Thickness(*edge["thickness"])}) for edge in raw.pop("edges")]
-    return MedialObject(edges=edges, **raw)
+def _edge(raw: dict[str, Any]) -> MedialEdge:
+    raw["thickness"] = Thickness(*raw["thickness"])
+    return MedialEdge(**raw)
+
+
+def _object(raw: dict[str, Any]) -> MedialObject:
+    raw["edges"] = [_edge(edge) for edge in raw["edges"]]
+    return MedialObject(**raw)
 
 
 def medial(loops: Sequence[ArrayLike], *, corners: Optional[Sequence[Sequence[bool]]] = None,

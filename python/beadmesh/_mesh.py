@@ -207,7 +207,7 @@ def mesh(panel: Panel, *, size: float = 5.0, min_edge: Optional[float] = None, t
     """
     options = options or BeadOptions()
     composed = panel._with_composites(options, jobs)
-    balls = [(tuple(map(float, point)), float(radius), float(local)) for point, radius, local in local_sizes]
+    balls = [((float(x), float(y), float(z)), float(radius), float(local)) for (x, y, z), radius, local in local_sizes]
     raw = _core.mesh(composed, size, size / 2 if min_edge is None else min_edge, thickness, options._core(),
                      dict(beads or {}), {k: dict(v) for k, v in (kinds or {}).items()},
                      {int(k): dict(v) for k, v in (single or {}).items()}, balls, jobs)

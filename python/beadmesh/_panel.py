@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,7 +84,7 @@ class Facets(NamedTuple):
     triangles: NDArray[np.int32]
 
 
-def _table(raw: dict) -> BeadTable:
+def _table(raw: dict[str, Any]) -> BeadTable:
     return BeadTable([Bead(**bead) for bead in raw["beads"]], [RejectedFace(*face) for face in raw["faces_not_beads"]],
                      [Diagnostic(**one) for one in raw["diagnostics"]])
 

@@ -1,8 +1,11 @@
 """The package as a package: names, docstrings, stubs."""
 import ast
 import inspect
+import os
 import pathlib
 import re
+import subprocess
+import sys
 
 import beadmesh
 from beadmesh import _core
@@ -49,8 +52,23 @@ def test_the_stub_is_that_of_the_compiled_part():
         assert re.findall(r"(?:^|, )(\w+): ", inside.rsplit(") ->", 1)[0]) == (["self"] if "self:" in inside else []) + names
 
 
-def test_version_is_that_of_the_program(program):
-    import subprocess
+def test_types_hold(tmp_path):
+    """Within the package, and for a user who knows it by its annotations alone."""
+    user = tmp_path / "user.py"
+    user.write_text("import beadmesh\n"
+                    "mesh = beadmesh.mesh(beadmesh.read('a.step'), size=5, local_sizes=[((1, 2, 3), 10, 2)])\n"
+                    "reveal_type(mesh.sets[0].crest_nodes)\n"
+                    "beadmesh.read('a.step', unit=3)\n")
+    mypy = [sys.executable, "-m", "mypy", "--cache-dir", str(tmp_path), "--ignore-missing-imports"]
+    inside = subprocess.run([*mypy, "-p", "beadmesh"], capture_output=True, text=True, cwd=FOLDER.parent)
+    assert inside.returncode == 0, inside.stdout
+    outside = subprocess.run([*mypy, str(user)], capture_output=True, text=True, env={**os.environ, "MYPYPATH": str(FOLDER.parent)})
+    said = outside.stdout.splitlines()
+    assert "ndarray" in said[0] and "signedinteger" in said[0]
+    assert 'Argument "unit" to "read" has incompatible type "int"; expected "str"' in said[1]
+    assert "Found 1 error" in said[2]
 
+
+def test_version_is_that_of_the_program(program):
     shown = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
     assert re.search(rf"beadmesh {re.escape(beadmesh.__version__)}\b", shown)
