@@ -74,7 +74,34 @@ TEST(Recognition, TIsGeneric) {
   EXPECT_EQ(bead->ends, 3);
   EXPECT_EQ(bead->medial_edges, 3);
   EXPECT_NEAR(bead->length, 104 + 62, 5);
-  EXPECT_NEAR(bead->width, 16, 0.8) << "a little wider at the junction";
+  EXPECT_NEAR(bead->width, 16, 0.1) << "that of its arms: the junction is wider";
+}
+
+TEST(Recognition, WidthIsThatOfTheArmsWhereverTheyMeet) {
+  for (const double fillet : {4.0, 9.0, 16.0}) {
+    const auto x = recognised(studied_bead(star_footprint({0, 80, 180, 260}, 60, 14, fillet), 4));
+    ASSERT_TRUE(x) << x.error().message;
+    EXPECT_NEAR(x->width, 14, 0.2) << "X, fillet " << fillet;
+    const auto comb = recognised(studied_bead(examples::comb_bead(4, 34, 46, 12, fillet / 2), 4));
+    ASSERT_TRUE(comb) << comb.error().message;
+    EXPECT_NEAR(comb->width, 12, 0.2) << "comb, fillet " << fillet / 2;
+  }
+}
+
+/// Rises over 25 mm at both ends, as run-outs do.
+TEST(Recognition, HeightIsTheFullOneWhereTheEndsRunOut) {
+  const examples::Footprint footprint = examples::straight_bead(100, 16);
+  PlanPanel plan(flat_base, 2);
+  const auto inside = std::make_shared<examples::BoundaryDistance>(footprint.loops);
+  const int loop = plan.add_loop(points_of(footprint.loops[0], 1));
+  plan.add_face(loop, {}, [=](Vec2 p) {
+    const double across = std::clamp((*inside)(p) / 8, 0.0, 1.0);
+    const double along = std::clamp((58 - std::abs(p.x)) / 25, 0.0, 1.0);
+    return Vec3{p.x, p.y, 6 * across * across * (3 - 2 * across) * along};
+  });
+  const auto bead = recognised(studied_face(plan.take(), 0));
+  ASSERT_TRUE(bead) << bead.error().message;
+  EXPECT_NEAR(bead->height, 6, 0.1);
 }
 
 TEST(Recognition, LadderWithOneWindowIsGenericWithTwoLoops) {

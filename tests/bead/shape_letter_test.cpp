@@ -54,6 +54,8 @@ std::vector<Named> one_arm() {
   return {{"I", "straight", examples::straight_bead(80, 16)},
           {"I", "tapered", examples::taper(80, 20, 12)},
           {"arc", "75 degrees", examples::arc_bead(80, 75, 14)},
+          {"arc", "wide, 42 degrees", examples::arc_bead(165, 42, 15)},
+          {"arc", "wide, 54 degrees", examples::arc_bead(140, 54, 14)},
           {"arc", "140 degrees", examples::arc_bead(45, 140, 14)},
           {"C", "200 degrees", examples::arc_bead(40, 200, 14)},
           {"S", "gentle", examples::s_bead(60, 60, 15)},

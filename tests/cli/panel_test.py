@@ -45,8 +45,7 @@ class Recognition(Case):
         self.assertIn(bead["shape"], {feature["shape"]} | ALSO.get(feature["shape"], set()))
         self.assertEqual(feature["loops"], bead["loops"])
         self.assertAlmostEqual(1, bead["length"] / feature["centreline_length"], delta=0.1)
-        # The arms of a slanting X share a wide middle.
-        self.assertAlmostEqual(1, bead["width"] / feature["mean_width"], delta=0.15 if feature["shape"] == "X" else 0.1)
+        self.assertAlmostEqual(1, bead["width"] / feature["mean_width"], delta=0.05)
 
     def test_basic(self):
         self.assert_recognised("basic", flat=True)

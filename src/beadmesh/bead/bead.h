@@ -25,8 +25,8 @@ struct Bead {
   Vec3 point;                ///< on the crest
   int loops = 1;
   double length = 0;        ///< total length of the medial edges
-  double width = 0;         ///< mean thickness along them
-  double height = 0;        ///< how far the crest rises over the boundary
+  double width = 0;         ///< mean thickness along them, outside the junctions
+  double height = 0;        ///< how far the crest rises over the boundary: what a tenth of the length exceeds
   double aspect_ratio = 0;  ///< mean over the medial edges of length / thickness
   int junctions = 0, ends = 0, medial_edges = 0;
   std::vector<RidgeCurve> ridge;

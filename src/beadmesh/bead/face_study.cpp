@@ -22,8 +22,9 @@ Vec3 boundary_direction(const Panel& panel, const EdgeUse& use, bool at_start) {
   if (edge.curve && edge.parameters.size() == n) {
     const double t0 = front ? edge.parameters.front() : edge.parameters.back();
     const double t1 = front ? edge.parameters[1] : edge.parameters[n - 2];
-    const Vec3 near = edge.curve->point(t0 + 0.02 * (t1 - t0));
-    if (distance(near, here) > 0) return normalized(near - here);
+    // The curve's own direction: its end may lie beside the point, where a gap was sewn.
+    const SpaceCurvePoint near = edge.curve->at(t0 + 0.02 * (t1 - t0));
+    if (norm(near.velocity) > 0) return normalized(near.velocity * (t1 > t0 ? 1.0 : -1.0));
   }
   return normalized(panel.points[front ? edge.points[1] : edge.points[n - 2]] - here);
 }

@@ -41,29 +41,72 @@ CrossSection cross_section(const FaceStudy& study, const MedialPoint& medial) {
   return out;
 }
 
-struct Measures {
-  double length = 0;
-  double width_integral = 0, height_integral = 0, rise_integral = 0;
-  double ratio_sum = 0;
+/// Along a piece of a medial edge.
+struct SectionStep {
+  double length = 0, width = 0, height = 0, rise = 0;
+  bool in_junction = false;  ///< within the disc of a junction: as wide as all its arms together
 };
 
+struct Measures {
+  std::vector<SectionStep> steps;
+  double ratio_sum = 0;  ///< of the edges' length / thickness
+};
+
+/// How far a junction reaches: to its touching points, which for one that stands for several are not equally
+/// far.
+double reach_of(const MedialVertex& junction) {
+  double reach = junction.radius;
+  for (const Foot& foot : junction.touching_points)
+    reach = std::max(reach, distance(foot.point, junction.point));
+  return reach;
+}
+
+/// Is the place within reach of a junction at an end of the edge?
+bool in_junction(const MedialObject& medial, const MedialEdge& edge, Vec2 place) {
+  for (const Index v : {edge.start, edge.end}) {
+    if (v == no_index || medial.vertices[v].type != MedialVertexType::J) continue;
+    if (distance(place, medial.vertices[v].point) < reach_of(medial.vertices[v])) return true;
+  }
+  return false;
+}
+
 /// Adds a medial edge: length on the surface, trapezium rule for the rest.
-void add_edge(const FaceStudy& study, const MedialEdge& edge, Measures& sum) {
+void add_edge(const FaceStudy& study, const MedialObject& medial, const MedialEdge& edge, Measures& sum) {
   std::vector<CrossSection> sections;
   for (const MedialPoint& p : edge.points) sections.push_back(cross_section(study, p));
   if (edge.type == MedialEdgeType::N && !sections.empty()) sections.push_back(sections.front());
   double length = 0, width = 0;
   for (size_t i = 1; i < sections.size(); ++i) {
     const CrossSection &a = sections[i - 1], &b = sections[i];
-    const double step = distance(a.crest, b.crest);
-    length += step;
-    width += step * (a.chord + b.chord) / 2;
-    sum.height_integral += step * (a.height + b.height) / 2;
-    sum.rise_integral += step * (a.rise + b.rise) / 2;
+    const Vec2 middle = lerp(edge.points[i - 1].point, edge.points[i % edge.points.size()].point, 0.5);
+    sum.steps.push_back({distance(a.crest, b.crest), (a.chord + b.chord) / 2, (a.height + b.height) / 2,
+                         (a.rise + b.rise) / 2, in_junction(medial, edge, middle)});
+    length += sum.steps.back().length;
+    width += sum.steps.back().length * sum.steps.back().width;
   }
-  sum.length += length;
-  sum.width_integral += width;
   if (width > 0) sum.ratio_sum += length * length / width;
+}
+
+/// Mean over the length; of the arms alone where there is something of them outside the junctions.
+double mean_width(const std::vector<SectionStep>& steps) {
+  for (const bool with_junctions : {false, true}) {
+    double length = 0, integral = 0;
+    for (const SectionStep& step : steps)
+      if (with_junctions || !step.in_junction) length += step.length, integral += step.length * step.width;
+    if (length > 0) return integral / length;
+  }
+  return 0;
+}
+
+/// The height that only a tenth of the length exceeds: run-outs at the ends count no less than noise does.
+double full_height(std::vector<SectionStep> steps) {
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const SectionStep& a, const SectionStep& b) { return a.height > b.height; });
+  double whole = 0, walked = 0;
+  for (const SectionStep& step : steps) whole += step.length;
+  for (const SectionStep& step : steps)
+    if ((walked += step.length) >= 0.1 * whole) return step.height;
+  return 0;
 }
 
 std::string format(const char* pattern, double a, double b) {
@@ -140,14 +183,19 @@ Result<MedialObject> medial_object_of_bead(const PlanarRegion& region) {
 
 Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const BeadOptions& options) {
   Measures sum;
-  for (const MedialEdge& edge : medial.edges) add_edge(study, edge, sum);
-  if (medial.edges.empty() || sum.width_integral <= 0)
-    return fail("bead.no_axis", "its medial object has no edge of a length");
+  for (const MedialEdge& edge : medial.edges) add_edge(study, medial, edge, sum);
+  double length = 0, width_integral = 0, rise_integral = 0;
+  for (const SectionStep& step : sum.steps) {
+    length += step.length;
+    width_integral += step.length * step.width;
+    rise_integral += step.length * step.rise;
+  }
+  if (width_integral <= 0) return fail("bead.no_axis", "its medial object has no edge of a length");
   Bead bead;
   bead.loops = int(study.region.loops.size());
-  bead.length = sum.length;
-  bead.width = sum.width_integral / sum.length;
-  bead.height = sum.height_integral / sum.length;
+  bead.length = length;
+  bead.width = mean_width(sum.steps);
+  bead.height = full_height(sum.steps);
   bead.aspect_ratio = sum.ratio_sum / double(medial.edges.size());
   bead.medial_edges = int(medial.edges.size());
   for (const MedialVertex& v : medial.vertices)
@@ -155,7 +203,7 @@ Result<Bead> recognise(const FaceStudy& study, const MedialObject& medial, const
   if (bead.aspect_ratio < options.min_aspect_ratio)
     return fail("bead.aspect_ratio",
                 format("aspect ratio %.2f < %.2f", bead.aspect_ratio, options.min_aspect_ratio));
-  const double rise = sum.rise_integral / sum.width_integral;
+  const double rise = rise_integral / width_integral;
   if (rise < options.min_rise)
     return fail("bead.flat", format("its crest rises by %.3f of its width over the sheet, under %.3f", rise,
                                     options.min_rise));

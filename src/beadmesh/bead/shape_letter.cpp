@@ -52,21 +52,26 @@ ArmShape shape_of(const SkeletonArm& arm) {
   out.thickness = mean_thickness(arm);
   const double step = std::max(out.thickness / 2, out.length / 200);
   const auto points = resampled(arm, step);
-  constexpr double straight =
-      radians(3);  // per window: a radius of ten thicknesses is a curve, less is straight
+  std::vector<double> turns;
+  for (size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec2 u = points[i] - points[i - 1], v = points[i + 1] - points[i];
+    turns.push_back(std::atan2(cross(u, v), dot(u, v)));
+    (turns.back() > 0 ? out.left : out.right) += std::abs(turns.back());
+  }
+  // Per window: a radius of ten thicknesses is a curve. So is a wider one that goes on along the whole arm.
+  const double mean = (out.left + out.right) / double(std::max<size_t>(turns.size(), 1));
+  const double straight = std::min(radians(3), mean / 2);
   Bend current;
   const auto close = [&] {
     if (std::abs(current.turn) > radians(15)) out.bends.push_back(current);
     current = {};
   };
-  for (size_t i = 1; i + 1 < points.size(); ++i) {
-    const Vec2 u = points[i] - points[i - 1], v = points[i + 1] - points[i];
-    const double turn = std::atan2(cross(u, v), dot(u, v));
-    (turn > 0 ? out.left : out.right) += std::abs(turn);
+  for (size_t i = 0; i < turns.size(); ++i) {
+    const double turn = turns[i];
     const bool bends = std::abs(turn) > straight;
     if (!bends || (current.turn != 0 && (turn > 0) != (current.turn > 0))) close();
     if (!bends) continue;
-    const double at = double(i) * step;
+    const double at = double(i + 1) * step;
     current.middle = current.length == 0 ? at : current.middle + step / 2;
     current.length += step;
     current.turn += turn;
