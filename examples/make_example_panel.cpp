@@ -38,6 +38,7 @@ struct Request {
   std::string name, step, truth, base;
   ShapePanelOptions shapes;
   RandomPanelOptions random;
+  bool walls = false;
 };
 
 std::string names() {
@@ -70,10 +71,12 @@ void add_options(CLI::App& app, Request& request) {
       ->check(CLI::Range(80.0, 10000.0));
   app.add_option("--breadth", request.random.width, "random: of the sheet, mm (by chance)")
       ->check(CLI::Range(80.0, 10000.0));
+  app.add_flag("--walls", request.walls,
+               "beads of many faces: root fillets, walls and top fillets by chance");
   app.add_option("--seed", request.random.seed, "shapes: turns and stretches (0: none); random: the mix (1)");
 }
 
-std::optional<PanelDesign> design_of(Request& request) {
+std::optional<PanelDesign> bare_design(Request& request) {
   if (request.name == "random") {
     if (!request.base.empty()) request.random.base = base_kinds.at(request.base);
     return random_panel(request.random);
@@ -81,6 +84,12 @@ std::optional<PanelDesign> design_of(Request& request) {
   if (request.name != "shapes") return example_panel(request.name);
   if (!request.base.empty()) request.shapes.base = base_kinds.at(request.base);
   return shapes_panel(request.shapes);
+}
+
+std::optional<PanelDesign> design_of(Request& request) {
+  std::optional<PanelDesign> design = bare_design(request);
+  if (design && request.walls) add_walls(*design, request.random.seed);
+  return design;
 }
 
 int cannot_write(const std::string& path) {

@@ -19,6 +19,7 @@
 #include "examples/base_curves.h"
 #include "examples/bead_surface.h"
 #include "examples/spline_surface.h"
+#include "examples/wall_strips.h"
 
 namespace beadmesh::examples {
 namespace {
@@ -128,6 +129,7 @@ class Builder {
     outers_.push_back(loops.front());
     if (feature.profile == Profile::hole) return;
     windows_.insert(windows_.end(), loops.begin() + 1, loops.end());
+    if (feature.walls.root_radius > 0) return add_walled(feature, loops, faces);
     const Handle(Geom_Surface) surface = bead_surface(base_, feature);
     for (const int loop : loops)
       for (std::size_t i = 0; i < loops_[loop].edges.size(); ++i) {
@@ -138,6 +140,15 @@ class Builder {
                                   TopLoc_Location(), exact);
       }
     faces.push_back(face(surface, loops.front(), {loops.begin() + 1, loops.end()}));
+  }
+
+  void add_walled(const Feature& feature, const std::vector<int>& loops, std::vector<TopoDS_Face>& faces) {
+    std::vector<BoundaryLoop> boundary;
+    for (const int loop : loops)
+      boundary.push_back({loops_[loop].plan, loops_[loop].edges, loop == loops.front()});
+    const WalledFaces walled = walled_faces(base_, feature, boundary);
+    faces.insert(faces.end(), walled.faces.begin(), walled.faces.end());
+    edges_.insert(edges_.end(), walled.edges.begin(), walled.edges.end());
   }
 
   TopoDS_Face face(const Handle(Geom_Surface) & surface, int outer, const std::vector<int>& windows) const {

@@ -7,7 +7,8 @@
 
 namespace beadmesh::examples {
 
-/// Faces in this order: the sheet, the features in the design's order (holes have none), the flat islands
+/// Faces in this order: the sheet, the features in the design's order (holes have none, those with walls
+/// several), the flat islands
 /// inside windows, the flange's fillet and wall. Every face looks up. Edges carry their curves in the
 /// parameters of both faces, exact to rounding, and a tolerance that covers the surfaces' distance from the
 /// base.

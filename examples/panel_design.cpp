@@ -33,6 +33,15 @@ std::vector<PlanLoop> Feature::centrelines() const {
   return placed_all(footprint.centrelines, *this);
 }
 
+double Feature::height_share(Vec2 plan) const {
+  if (walls.run_out <= 0) return 1;
+  double reach = 0;
+  for (const Vec2 p : sampled(footprint.loops.front())) reach = std::max(reach, std::abs(p.x));
+  const double along = dot(plan - origin, Vec2{std::cos(angle), std::sin(angle)});
+  const double t = std::clamp((reach - std::abs(along)) / walls.run_out, 0.0, 1.0);
+  return 0.35 + 0.65 * t * t * (3 - 2 * t);
+}
+
 double Feature::rise(Vec2 local, const BoundaryDistance& boundary) const {
   const double inside = boundary(local);
   if (inside <= 0) return 0;

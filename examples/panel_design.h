@@ -30,6 +30,14 @@ enum class Profile {
   shoulder  ///< rounded step up to a flat top
 };
 
+/// How a CAD system would build a feature: strips of faces along its boundary, and a top.
+struct Walls {
+  double root_radius = 0;  ///< mm; 0: the feature is one face
+  double angle = 0;        ///< radians, of the wall against the sheet
+  double top_radius = 0;   ///< mm
+  double run_out = 0;      ///< mm, over which the height falls at both ends along the feature's x axis
+};
+
 /// A feature in its place on the panel.
 struct Feature {
   std::string shape;  ///< "straight", "taper", "arc", "S", "T", ..., "ring", or what it is instead of a bead
@@ -41,10 +49,14 @@ struct Feature {
   double angle = 0;       ///< radians
   std::string name = {};  ///< tells features of one shape apart ("wavy" is an S); empty: the shape
 
+  Walls walls = {};
+
   /// The loops of the footprint on the panel, in plan.
   std::vector<PlanLoop> loops() const;
   /// The centre lines of the footprint on the panel, in plan.
   std::vector<PlanLoop> centrelines() const;
+  /// Share of the full height at a point of the plan: less than 1 in run-outs.
+  double height_share(Vec2 plan) const;
   /// Rise over the base at a point of the feature's own frame; `boundary` is that of the footprint.
   double rise(Vec2 local, const BoundaryDistance& boundary) const;
 };

@@ -216,6 +216,45 @@ std::optional<PanelDesign> shapes_panel(const ShapePanelOptions& options) {
   return panel;
 }
 
+namespace {
+
+/// Of an eccentric ring at its narrowest place.
+double least_half_width(const Footprint& footprint) {
+  double half = std::min(footprint.half_width, footprint.end_half_width);
+  if (!footprint.between_loops) return half;
+  const BoundaryDistance boundary(footprint.loops);
+  for (const Vec2 p : sampled(footprint.loops.front())) half = std::min(half, boundary.to_loop(1, p) / 2);
+  return half;
+}
+
+}  // namespace
+
+void add_walls(PanelDesign& panel, std::uint64_t seed) {
+  Chance chance(seed ^ 0x77616c6c73);
+  for (Feature& feature : panel.features) {
+    Walls walls;
+    const double half = least_half_width(feature.footprint);
+    const double h = std::abs(feature.height);
+    walls.angle = radians(chance.between(40, 75));
+    walls.root_radius = h * chance.between(0.3, 0.7);
+    walls.top_radius = h * chance.between(0.25, 0.6);
+    const double run_out = chance.between(-1, 1) * 2 * half;
+    if (feature.profile == Profile::hole) continue;
+    // Height, draft and fillets must fit into most of the half width.
+    const double most = 0.8 * half;
+    const double rise = 1 - std::cos(walls.angle), fillets = walls.root_radius + walls.top_radius;
+    const double width = fillets * std::sin(walls.angle) + (h - fillets * rise) / std::tan(walls.angle);
+    if (width > most) {
+      const double shrink = most / width;
+      feature.height *= shrink;
+      walls.root_radius *= shrink;
+      walls.top_radius *= shrink;
+    }
+    if (feature.name == "straight" && run_out > 0) walls.run_out = run_out;
+    feature.walls = walls;
+  }
+}
+
 PanelDesign random_panel(const RandomPanelOptions& options) {
   return RandomPanel(options).take();
 }

@@ -31,6 +31,10 @@ struct RandomPanelOptions {
   double length = 0, width = 0;                 ///< mm, of the sheet; 0: by chance
 };
 
+/// Gives every feature that has faces walls by chance: a root fillet, a drafted wall, a top fillet, all
+/// narrower than its half width; straight ones may run out at their ends.
+void add_walls(PanelDesign& panel, std::uint64_t seed);
+
 /// Shapes, sizes (8 to 40 mm wide, 2 to 10 mm high), turns, base, holes and the sheet's size by chance; the
 /// same for the same options, everywhere.
 PanelDesign random_panel(const RandomPanelOptions& options);
