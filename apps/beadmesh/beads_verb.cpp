@@ -7,6 +7,7 @@
 #include "beadmesh/report/panel_html.h"
 #include "beadmesh/write/bead_csv.h"
 #include "beadmesh/write/bead_json.h"
+#include "crash_guard.h"
 #include "outputs.h"
 #include "progress.h"
 #include "summary.h"
@@ -32,7 +33,7 @@ std::string report_of(const Panel& panel, const BeadTable& table) {
 Result<int> run_beads(const Options& options) {
   ProgressBar bar;
   const Context context = bar.context(options.settings.jobs);
-  auto panel = read_panel(options.input, options.settings.read, context);
+  auto panel = read_guarded(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
   panel = compose_faces(std::move(*panel), options.settings.beads, context);
   const BeadTable table = recognise_beads(*panel, options.settings.beads, context);

@@ -67,9 +67,11 @@ Keys<SettingsLayer> bead_keys() {
 }
 
 Keys<SettingsLayer> read_keys() {
-  return {number_key("chord", &SettingsLayer::chord), number_key("angle", &SettingsLayer::angle),
+  return {number_key("chord", &SettingsLayer::chord),
+          number_key("angle", &SettingsLayer::angle),
           number_key("max_facet", &SettingsLayer::max_facet),
           number_key("sew_tolerance", &SettingsLayer::sew_tolerance),
+          text_key("skin", &SettingsLayer::skin),
           number_key("feature_angle", &SettingsLayer::feature_angle)};
 }
 

@@ -8,6 +8,7 @@
 #include "beadmesh/read/polygon_reader.h"
 #include "beadmesh/report/medial_svg.h"
 #include "beadmesh/write/medial_json.h"
+#include "crash_guard.h"
 #include "outputs.h"
 #include "progress.h"
 #include "summary.h"
@@ -61,7 +62,9 @@ Result<PanelMedials> of_polygon(const Options& options) {
 }
 
 Result<PanelMedials> of_panel(const Options& options, const Context& context) {
-  const auto panel = read_panel(options.input, options.settings.read, context);
+  ReadOptions read = options.settings.read;
+  read.skin = Skin::whole;  // any face of the file may be asked for
+  const auto panel = read_guarded(options.input, read, context);
   if (!panel) return tl::make_unexpected(panel.error());
   std::vector<Index> faces;
   for (Index i = 0; i < static_cast<Index>(panel->faces.size()); ++i)

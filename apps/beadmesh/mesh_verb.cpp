@@ -13,6 +13,7 @@
 #include "beadmesh/write/bead_csv.h"
 #include "beadmesh/write/bead_json.h"
 #include "beadmesh/write/deck.h"
+#include "crash_guard.h"
 #include "outputs.h"
 #include "progress.h"
 #include "settings_text.h"
@@ -87,7 +88,7 @@ Result<int> run_mesh(const Options& options) {
   const MeshSizes& sizes = options.settings.sizes;
   ProgressBar bar;
   const Context context = bar.context(options.settings.jobs);
-  auto panel = read_panel(options.input, options.settings.read, context);
+  auto panel = read_guarded(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
   panel = compose_faces(std::move(*panel), options.settings.beads, context);
   if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());

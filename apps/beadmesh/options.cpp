@@ -36,6 +36,12 @@ void add_config(CLI::App& verb, RawOptions& raw) {
       ->allow_extra_args(false);
 }
 
+void add_reading(CLI::App& verb, RawOptions& raw) {
+  verb.add_option("--skin", raw.flags.skin,
+                  "what a thin solid becomes: outer, inner, middle, whole (default outer)");
+  verb.add_option("--gap", raw.flags.sew_tolerance, "free edges closer than this are one, mm (default 0.01)");
+}
+
 void add_common(CLI::App& verb, RawOptions& raw) {
   verb.add_option("PANEL", raw.input, "panel: .step .stp .iges .igs .brep .stl")->required();
   verb.add_option("--json", raw.outputs.json, "bead table as JSON; - for standard output");
@@ -43,6 +49,7 @@ void add_common(CLI::App& verb, RawOptions& raw) {
   verb.add_option("--jobs", raw.flags.jobs, "threads (default: all cores)");
   verb.add_flag("--timings", raw.timings, "print the time of each stage and the memory on standard error");
   add_unit(verb, raw);
+  add_reading(verb, raw);
 }
 
 void add_controls(CLI::App& verb, RawOptions& raw) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace beadmesh::app {
 namespace {
@@ -90,6 +92,17 @@ Result<void> check_beads(const MeshSizes& sizes) {
   return {};
 }
 
+Result<void> apply_skin(const std::string& name, ReadOptions& read) {
+  constexpr std::pair<std::string_view, Skin> skins[] = {
+      {"outer", Skin::outer}, {"inner", Skin::inner}, {"middle", Skin::middle}, {"whole", Skin::whole}};
+  for (const auto& [known, skin] : skins)
+    if (name == known) {
+      read.skin = skin;
+      return {};
+    }
+  return fail("usage.skin", fmt::format("unknown skin '{}'", name), "outer, inner, middle or whole");
+}
+
 }  // namespace
 
 Result<void> apply(const SettingsLayer& layer, Settings& settings) {
@@ -100,6 +113,8 @@ Result<void> apply(const SettingsLayer& layer, Settings& settings) {
   if (auto known = apply_deck(layer, settings.deck); !known) return known;
   settings.jobs = layer.jobs.value_or(settings.jobs);
   settings.read.unit = layer.unit.value_or(settings.read.unit);
+  if (layer.skin)
+    if (auto known = apply_skin(*layer.skin, settings.read); !known) return known;
   set(settings.beads.min_aspect_ratio, layer.min_aspect_ratio);
   set(settings.beads.max_joint_angle, layer.max_joint_angle, radians(1));
   set(settings.beads.min_rise, layer.min_rise);

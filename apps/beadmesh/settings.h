@@ -27,7 +27,7 @@ struct SettingsLayer {
   std::optional<int> jobs, max_loops;
   std::optional<int> id_offset, first_node, first_element, first_property;
   std::optional<std::string> analysis;  ///< modes, none
-  std::optional<std::string> unit;
+  std::optional<std::string> unit, skin;
   std::optional<double> min_aspect_ratio, max_joint_angle, min_rise;            ///< angle in degrees
   std::optional<double> chord, angle, max_facet, sew_tolerance, feature_angle;  ///< angles in degrees
   BeadControls controls;
@@ -36,7 +36,8 @@ struct SettingsLayer {
 
 /// The preset of the layer first, then its values. A size without a minimum edge keeps their ratio. Single
 /// beads and local sizes of the layer follow those of earlier layers. An offset of ids is for all of them,
-/// the first ids of the layer win. Fails with usage.preset, usage.analysis.
+/// the first ids of the layer win. Fails with usage.preset, usage.analysis,
+/// usage.skin.
 Result<void> apply(const SettingsLayer& layer, Settings& settings);
 
 /// Fails with usage.* and control.* where a value makes no sense, alone or with the others; says which.

@@ -9,6 +9,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
@@ -130,6 +131,26 @@ TopoDS_Shape dome() {
       points(i + 1, j + 1) = gp_Pnt(x, y, 5 * std::cos(M_PI * x / 60) * std::cos(M_PI * y / 60));
     }
   return BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(points).Surface(), 1e-6).Face();
+}
+
+TopoDS_Shape bent_sheet(double length, double width, double radius, double thickness) {
+  const double t = thickness, inside = radius - t;
+  const auto at = [](double x, double z) { return gp_Pnt(x, 0, z); };
+  const auto bend = [&](double r) {
+    return gp_Circ(gp_Ax2(at(radius, radius), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)), r);
+  };
+  BRepBuilderAPI_MakeWire wire;
+  const auto line = [&](gp_Pnt a, gp_Pnt b) { wire.Add(BRepBuilderAPI_MakeEdge(a, b).Edge()); };
+  line(at(length, 0), at(length, t));
+  line(at(length, t), at(radius, t));
+  wire.Add(BRepBuilderAPI_MakeEdge(bend(inside), at(t, radius), at(radius, t)).Edge());
+  line(at(t, radius), at(t, length));
+  line(at(t, length), at(0, length));
+  line(at(0, length), at(0, radius));
+  wire.Add(BRepBuilderAPI_MakeEdge(bend(radius), at(0, radius), at(radius, 0)).Edge());
+  line(at(radius, 0), at(length, 0));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), gp_Vec(0, width, 0))
+      .Shape();
 }
 
 TopoDS_Shape two_places() {

@@ -40,6 +40,9 @@ TopoDS_Shape two_loose_squares();
 TopoDS_Shape bow_tie();
 /// z = 5 cos(pi x / 60) cos(pi y / 60) over |x|, |y| <= 30: a B-spline surface.
 TopoDS_Shape dome();
+/// Two walls of this length (to the outer corner) and width, at a right angle, with a bend of this outer
+/// radius: a solid.
+TopoDS_Shape bent_sheet(double length, double width, double radius, double thickness);
 /// Two plates, the second one moved by 100 in x: one shape at two places.
 TopoDS_Shape two_places();
 

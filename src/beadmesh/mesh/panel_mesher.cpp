@@ -361,7 +361,7 @@ class PanelMesher {
       shell.nodes.push_back(map.surface_point(at));
     }
     const Index b = listed_bead(face);
-    const Index part = part_of(b);
+    const Index part = part_of(face, b);
     const Index first = Index(shell.elements.size());
     for (MeshElement element : mesh.mesh.elements) {
       turn_to_surface(element, mesh.mesh, map);
@@ -415,14 +415,33 @@ class PanelMesher {
     }
   }
 
-  /// One property a kind of region, made when first needed.
-  Index part_of(Index b) {
-    const std::string name = b == no_index ? "sheet" : "bead_" + name_of(studied_.table.beads[b].kind);
+  /// One property for each part, kind of region and thickness, made when first needed.
+  Index part_of(Index face, Index b) {
+    const PanelFace& of = panel_.faces[face];
+    const PanelPart* part = of.part == no_index ? nullptr : &panel_.parts[of.part];
+    std::string name = b == no_index ? "sheet" : "bead_" + name_of(studied_.table.beads[b].kind);
+    if (part && panel_.parts.size() > 1)
+      name = (part->name.empty() ? "part " + std::to_string(of.part + 1) : part->name) + " " + name;
+    // What is measured differs by less than matters from face to face.
+    const double thickness =
+        of.thickness > 0 ? std::max(0.01, std::round(100 * of.thickness) / 100) : options_.thickness;
     auto& parts = out_.mesh.parts;
     for (size_t p = 0; p < parts.size(); ++p)
-      if (parts[p].name == name) return Index(p);
-    parts.push_back({Index(parts.size()) + 1, name, options_.thickness});
+      if (parts[p].name == name && parts[p].thickness == thickness) return Index(p);
+    parts.push_back({free_property_id(b == no_index && part ? part->id : 0), name, thickness});
     return Index(parts.size()) - 1;
+  }
+
+  /// The one asked for, where it is free; else the first above all that there are.
+  Index free_property_id(Index wanted) const {
+    Index last = 0;
+    bool is_free = wanted > 0;
+    for (const PanelPart& part : panel_.parts) last = std::max(last, part.id);
+    for (const ShellPart& part : out_.mesh.parts) {
+      last = std::max(last, part.id);
+      is_free = is_free && part.id != wanted;
+    }
+    return is_free ? wanted : last + 1;
   }
 
   const Panel& panel_;

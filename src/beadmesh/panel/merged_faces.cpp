@@ -23,6 +23,7 @@ class FaceMerger {
 
   Panel run() {
     out_.points = panel_.points;
+    out_.parts = panel_.parts;
     out_.input = panel_.input;
     out_.unit = panel_.unit;
     out_.diagnostics = panel_.diagnostics;
@@ -45,6 +46,8 @@ class FaceMerger {
     face.numbers = input_numbers(panel_, group);
     face.number = face.numbers.front();
     face.name = panel_.faces[group.front()].name;
+    face.part = panel_.faces[group.front()].part;
+    face.thickness = mean_thickness(group);
     const auto runs = boundary_runs(group);
     for (std::vector<Index>& loop : face.facets.loops) {
       auto uses = uses_along(face.facets, loop, runs);
@@ -52,6 +55,18 @@ class FaceMerger {
       face.loops.push_back(std::move(uses));
     }
     return face;
+  }
+
+  /// By area, over the faces whose thickness is known; 0 where there is none.
+  double mean_thickness(const std::vector<Index>& group) const {
+    double sum = 0, known = 0;
+    for (const Index f : group) {
+      if (panel_.faces[f].thickness <= 0) continue;
+      const double weight = area(panel_.faces[f].facets);
+      sum += weight * panel_.faces[f].thickness;
+      known += weight;
+    }
+    return known > 0 ? sum / known : 0;
   }
 
   using Runs = std::map<std::pair<Index, Index>, EdgeUse>;

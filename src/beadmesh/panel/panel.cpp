@@ -36,6 +36,26 @@ Facets facets_of(const Panel& panel, const std::vector<Index>& faces) {
   return joined;
 }
 
+Panel without_unused_points(Panel panel) {
+  std::vector<Index> kept(panel.points.size(), no_index);
+  const auto keep = [&](Index p) { kept[p] = 0; };
+  for (const PanelEdge& edge : panel.edges) std::for_each(edge.points.begin(), edge.points.end(), keep);
+  for (const PanelFace& face : panel.faces)
+    std::for_each(face.facets.panel_points.begin(), face.facets.panel_points.end(), keep);
+  std::vector<Vec3> points;
+  for (std::size_t p = 0; p < kept.size(); ++p)
+    if (kept[p] != no_index) {
+      kept[p] = static_cast<Index>(points.size());
+      points.push_back(panel.points[p]);
+    }
+  panel.points = std::move(points);
+  for (PanelEdge& edge : panel.edges)
+    for (Index& p : edge.points) p = kept[p];
+  for (PanelFace& face : panel.faces)
+    for (Index& p : face.facets.panel_points) p = kept[p];
+  return panel;
+}
+
 std::vector<Index> input_numbers(const Panel& panel, const std::vector<Index>& faces) {
   std::vector<Index> numbers;
   for (const Index f : faces) {

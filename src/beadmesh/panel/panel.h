@@ -1,7 +1,9 @@
 // The faceted B-rep that flows through the pipeline: points, edges and faces that share them watertight.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,15 @@ struct PanelFace {
   Index number = 0;            ///< 1-based, in the order of the input file; of a composite face its first
   std::vector<Index> numbers;  ///< of a composite face those of all its faces, ascending; else empty
   std::string name;            ///< from the file; may be empty
+  Index part = no_index;       ///< index in Panel::parts; no_index: the file knows of none
+  double thickness = 0;        ///< mm, measured or from the file; 0: not known
+};
+
+/// A component of an assembly, or a part of a deck: a property of its own.
+struct PanelPart {
+  std::string name;                             ///< may be empty
+  Index id = 0;                                 ///< property id in the file; 0: none
+  std::optional<std::array<double, 3>> colour;  ///< red, green, blue in [0, 1]
 };
 
 /// All lengths in mm. Orientation of the faces is consistent across shared edges of each connected piece.
@@ -50,6 +61,7 @@ struct Panel {
   std::vector<Vec3> points;
   std::vector<PanelEdge> edges;
   std::vector<PanelFace> faces;
+  std::vector<PanelPart> parts;         ///< in the file's order
   std::string input;                    ///< file name, for reports
   std::string unit = "mm";              ///< unit of the file; coordinates are converted to mm
   std::vector<Diagnostic> diagnostics;  ///< what the reader mended or left out
@@ -64,6 +76,9 @@ Facets facets_of(const Panel& panel, const std::vector<Index>& faces);
 /// group's first; edges inside a group are gone. Faces without a group stay as they are. A group whose facets
 /// do not join to one piece with loops along its edges is left apart.
 Panel with_merged_faces(Panel panel, const std::vector<std::vector<Index>>& groups);
+
+/// The panel without the points that no edge and no facet needs.
+Panel without_unused_points(Panel panel);
 
 /// Numbers of the input's faces that these faces (indices) are made of, ascending.
 std::vector<Index> input_numbers(const Panel& panel, const std::vector<Index>& faces);

@@ -9,28 +9,22 @@
 #include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
-#include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <Transfer_TransientProcess.hxx>
-#include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <optional>
 #include <string>
 
 #include "beadmesh/read/cad_raw_loops.h"
+#include "beadmesh/read/cad_step_parts.h"
 #include "beadmesh/read/input_file.h"
 
 namespace beadmesh {
 namespace {
-
-using NameOf = std::function<std::string(const TopoDS_Face&)>;
 
 class SilencedOutput {
  public:
@@ -54,20 +48,15 @@ Failure unreadable(const std::filesystem::path& path, std::string message) {
   return fail("read.unreadable", std::move(message), {}, path.filename().string());
 }
 
-void list_faces(const TopoDS_Shape& shape, const NameOf& name_of_face, CadModel& model) {
+void list_faces(const TopoDS_Shape& shape, CadModel& model) {
   TopTools_MapOfShape seen;
   for (TopExp_Explorer at(shape, TopAbs_FACE); at.More(); at.Next()) {
     if (!seen.Add(at.Current())) continue;
     model.faces.push_back(TopoDS::Face(at.Current()));
-    model.names.push_back(name_of_face ? name_of_face(model.faces.back()) : std::string());
+    model.names.emplace_back();
+    model.numbers.push_back(static_cast<Index>(model.faces.size()));
+    model.part_of_face.push_back(no_index);
   }
-}
-
-std::string step_name(const Handle(XSControl_TransferReader) & transfer, const TopoDS_Face& face) {
-  const auto item = Handle(StepRepr_RepresentationItem)::DownCast(transfer->EntityFromShapeResult(face, 1));
-  if (item.IsNull() || item->Name().IsNull()) return {};
-  const std::string name = item->Name()->ToCString();
-  return name == "NONE" ? std::string() : name;
 }
 
 /// OpenCASCADE reports references that lead nowhere or to the wrong kind of entity, then follows them and
@@ -100,9 +89,7 @@ Result<CadModel> load_step(const std::filesystem::path& path) {
   if (watch.defect()) return Failure(*watch.defect());
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull()) return model;
-  const Handle(XSControl_TransferReader) transfer = reader.WS()->TransferReader();
-  list_faces(
-      shape, [&](const TopoDS_Face& face) { return step_name(transfer, face); }, model);
+  list_step_faces(shape, reader.WS(), model);
   return model;
 }
 
@@ -120,7 +107,7 @@ Result<CadModel> load_iges(const std::filesystem::path& path) {
   reader.TransferRoots();
   if (watch.defect()) return Failure(*watch.defect());
   const TopoDS_Shape shape = reader.OneShape();
-  if (!shape.IsNull()) list_faces(shape, {}, model);
+  if (!shape.IsNull()) list_faces(shape, model);
   return model;
 }
 
@@ -150,7 +137,7 @@ Result<CadModel> load_brep(const std::filesystem::path& path, const std::string&
   }
   CadModel model;
   model.unit = unit;
-  list_faces(shape, {}, model);
+  list_faces(shape, model);
   return model;
 }
 

@@ -73,6 +73,7 @@ class PanelAssembler {
       : model_(model), topology_(topology), faces_(faces) {
     panel_.unit = model.unit;
     panel_.diagnostics = model.diagnostics;
+    panel_.parts = model.parts;
     panel_.points = topology.vertices;
     edge_points_.resize(topology.edges.size());
     panel_edge_.assign(topology.edges.size(), no_index);
@@ -80,10 +81,10 @@ class PanelAssembler {
 
   Panel assemble() {
     for (std::size_t f = 0; f < faces_.size(); ++f) add_face(f);
-    drop_unused_points();
+    panel_ = without_unused_points(std::move(panel_));  // of faces left out, of vertices no edge needs
     const std::vector<bool> turned = orient_faces(panel_);
     for (std::size_t f = 0; f < panel_.faces.size(); ++f) {
-      const Index source = panel_.faces[f].number - 1;
+      const Index source = source_[f];
       panel_.faces[f].facets.surfaces = {
           surface_of(topology_.faces[source].surface, turned[f] != is_reversed(source))};
     }
@@ -96,7 +97,7 @@ class PanelAssembler {
   void leave_out(std::size_t f, std::string message) {
     panel_.diagnostics.push_back({"read.face.left_out",
                                   Severity::error,
-                                  static_cast<Index>(f) + 1,
+                                  model_.numbers[f],
                                   {},
                                   std::move(message),
                                   "repair the face in the CAD system"});
@@ -209,8 +210,10 @@ class PanelAssembler {
     const std::size_t outer = outer_loop(face.facets);
     std::swap(face.loops[0], face.loops[outer]);
     std::swap(face.facets.loops[0], face.facets.loops[outer]);
-    face.number = static_cast<Index>(f) + 1;
+    face.number = model_.numbers[f];
     face.name = model_.names[f];
+    face.part = model_.part_of_face[f];
+    source_.push_back(static_cast<Index>(f));
     const Index id = static_cast<Index>(panel_.faces.size());
     face.facets.triangle_surface.assign(face.facets.triangles.size(), 0);
     for (std::vector<EdgeUse>& loop : face.loops)
@@ -232,30 +235,11 @@ class PanelAssembler {
     return panel_edge_[e];
   }
 
-  /// Points of faces left out, of vertices no edge needs.
-  void drop_unused_points() {
-    std::vector<Index> kept(panel_.points.size(), no_index);
-    const auto keep = [&](Index p) { kept[p] = 0; };
-    for (const PanelEdge& edge : panel_.edges) std::for_each(edge.points.begin(), edge.points.end(), keep);
-    for (const PanelFace& face : panel_.faces)
-      std::for_each(face.facets.panel_points.begin(), face.facets.panel_points.end(), keep);
-    std::vector<Vec3> points;
-    for (std::size_t p = 0; p < kept.size(); ++p)
-      if (kept[p] != no_index) {
-        kept[p] = static_cast<Index>(points.size());
-        points.push_back(panel_.points[p]);
-      }
-    panel_.points = std::move(points);
-    for (PanelEdge& edge : panel_.edges)
-      for (Index& p : edge.points) p = kept[p];
-    for (PanelFace& face : panel_.faces)
-      for (Index& p : face.facets.panel_points) p = kept[p];
-  }
-
   const CadModel& model_;
   const CadTopology& topology_;
   const std::vector<FaceNodes>& faces_;
   Panel panel_;
+  std::vector<Index> source_;                    // per panel face: the model's
   std::vector<std::vector<Index>> edge_points_;  // per CAD edge
   std::vector<Index> panel_edge_;                // per CAD edge: index in panel_.edges, or no_index
 };

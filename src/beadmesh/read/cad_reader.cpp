@@ -4,6 +4,7 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <Standard_Failure.hxx>
+#include <algorithm>
 #include <exception>
 #include <ios>
 #include <mutex>
@@ -37,12 +38,13 @@ Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOption
   context.report("read", 0);
   Result<CadModel> model = load_cad_model(path, options);
   if (!model) return named(model.error(), path);
+  drop_duplicates(*model, std::max(options.sew_tolerance, 1e-6));
   sew(*model, options.sew_tolerance);
   context.report("facets", 0);
   CadTopology topology = topology_of(*model);
   const std::vector<FaceNodes> faces = facet_faces(topology, options, context);
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (faces[f].crossing) return named(crossing_defect(*faces[f].crossing, static_cast<Index>(f) + 1), path);
+    if (faces[f].crossing) return named(crossing_defect(*faces[f].crossing, model->numbers[f]), path);
   Panel panel = assemble_panel(*model, topology, faces);
   panel.input = path.filename().string();
   if (panel.faces.empty())

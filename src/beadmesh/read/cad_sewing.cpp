@@ -7,6 +7,7 @@
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "beadmesh/read/cad_model.h"
@@ -18,9 +19,9 @@ struct FreeEdge {
   std::vector<gp_Pnt> points;  // along the curve, both ends included
 };
 
-std::vector<FreeEdge> free_edges_of(const CadModel& model) {
+std::vector<FreeEdge> free_edges_of(const std::vector<TopoDS_Face>& faces) {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
-  for (const TopoDS_Face& face : model.faces)
+  for (const TopoDS_Face& face : faces)
     TopExp::MapShapesAndAncestors(face, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
   std::vector<FreeEdge> result;
   for (int i = 1; i <= faces_of_edge.Extent(); ++i) {
@@ -92,31 +93,40 @@ bool has_open_joints(const std::vector<FreeEdge>& edges, double tolerance) {
   return false;
 }
 
+void sew_faces(std::vector<TopoDS_Face>& faces, double tolerance) {
+  if (!has_open_joints(free_edges_of(faces), tolerance)) return;
+  BRepBuilderAPI_Sewing sewing(tolerance);
+  for (const TopoDS_Face& face : faces) sewing.Add(face);
+  sewing.Perform();
+  for (TopoDS_Face& face : faces) {
+    const TopoDS_Shape after = sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face);
+    TopExp_Explorer at(after, TopAbs_FACE);
+    if (at.More()) face = TopoDS::Face(at.Current());
+  }
+}
+
 }  // namespace
 
 void sew(CadModel& model, double tolerance) {
   if (tolerance <= 0) return;
-  const std::vector<FreeEdge> before = free_edges_of(model);
-  if (!has_open_joints(before, tolerance)) return;
-  BRepBuilderAPI_Sewing sewing(tolerance);
-  for (const TopoDS_Face& face : model.faces) sewing.Add(face);
-  sewing.Perform();
-  std::vector<TopoDS_Face> sewn;
-  for (const TopoDS_Face& face : model.faces) {
-    const TopoDS_Shape after = sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face);
-    TopExp_Explorer at(after, TopAbs_FACE);
-    sewn.push_back(at.More() ? TopoDS::Face(at.Current()) : face);
+  std::map<Index, std::vector<std::size_t>> faces_of_part;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) faces_of_part[model.part_of_face[f]].push_back(f);
+  std::size_t before = 0, open = 0;
+  for (const auto& [part, faces] : faces_of_part) {
+    std::vector<TopoDS_Face> of_part;
+    for (const std::size_t f : faces) of_part.push_back(model.faces[f]);
+    before += free_edges_of(of_part).size();
+    sew_faces(of_part, tolerance);
+    open += free_edges_of(of_part).size();
+    for (std::size_t i = 0; i < faces.size(); ++i) model.faces[faces[i]] = of_part[i];
   }
-  model.faces = std::move(sewn);
-  const std::size_t open = free_edges_of(model).size();
-  if (open < before.size())
-    model.diagnostics.push_back(
-        {"read.sewn",
-         Severity::note,
-         no_index,
-         {},
-         std::to_string(before.size() - open) + " free edges were sewn to their neighbours",
-         {}});
+  if (open < before)
+    model.diagnostics.push_back({"read.sewn",
+                                 Severity::note,
+                                 no_index,
+                                 {},
+                                 std::to_string(before - open) + " free edges were sewn to their neighbours",
+                                 {}});
 }
 
 }  // namespace beadmesh

@@ -1,5 +1,7 @@
 #include "beadmesh/read/panel_reader.h"
 
+#include <utility>
+
 #include "beadmesh/read/cad_reader.h"
 #include "beadmesh/read/input_file.h"
 #include "beadmesh/read/stl_reader.h"
@@ -11,7 +13,11 @@ Result<Panel> read_panel(const std::filesystem::path& path, const ReadOptions& o
   const Result<FileKind> kind = check_input_file(path);
   if (!kind) return Failure(kind.error());
   if (*kind == FileKind::stl) return read_stl_panel(path, options);
-  return read_cad_panel(path, options, context);
+  Result<Panel> panel = read_cad_panel(path, options, context);
+  if (!panel) return panel;
+  ThinSolidOptions thin;
+  thin.skin = options.skin;
+  return with_skins(std::move(*panel), thin);
 }
 
 }  // namespace beadmesh

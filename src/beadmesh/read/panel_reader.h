@@ -6,6 +6,7 @@
 #include "beadmesh/core/context.h"
 #include "beadmesh/core/result.h"
 #include "beadmesh/panel/panel.h"
+#include "beadmesh/panel/thin_solid.h"
 
 namespace beadmesh {
 
@@ -16,6 +17,7 @@ struct ReadOptions {
   double sew_tolerance = 0.01;  ///< default 0.01 mm: free edges closer than this are one
   double feature_angle =
       radians(40);          ///< default 40 degrees: STL facets that turn by more are different faces
+  Skin skin = Skin::outer;  ///< default outer: what a thin solid of a CAD file becomes
   std::string unit = "mm";  ///< default mm: unit of files that carry none (STL, BREP)
 };
 

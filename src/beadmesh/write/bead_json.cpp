@@ -1,5 +1,9 @@
 #include "beadmesh/write/bead_json.h"
 
+#include <cmath>
+#include <map>
+#include <utility>
+
 #include "beadmesh/write/json_lines.h"
 
 namespace beadmesh {
@@ -53,6 +57,31 @@ Value meshing_of(const BeadMeshing& meshing) {
   return object;
 }
 
+/// One entry for each part and thickness; none where the file tells neither.
+Value parts_of(const Panel& panel) {
+  std::map<std::pair<Index, long>, std::vector<Index>> groups;  // thickness in hundredths of a mm
+  for (size_t f = 0; f < panel.faces.size(); ++f) {
+    const PanelFace& face = panel.faces[f];
+    if (face.part == no_index && face.thickness <= 0) continue;
+    groups[{face.part, std::lround(100 * face.thickness)}].push_back(Index(f));
+  }
+  Value list = Value::array();
+  for (const auto& [key, faces] : groups) {
+    Value entry = Value::object();
+    if (key.first != no_index) {
+      const PanelPart& part = panel.parts[key.first];
+      entry["name"] = part.name;
+      if (part.id > 0) entry["id"] = part.id;
+      if (part.colour)
+        entry["colour"] = {number((*part.colour)[0]), number((*part.colour)[1]), number((*part.colour)[2])};
+    }
+    if (key.second > 0) entry["thickness"] = number(double(key.second) / 100);
+    entry["faces"] = input_numbers(panel, faces);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh* mesh) {
   Value beads = Value::array(), rejected = Value::array();
   for (size_t i = 0; i < table.beads.size(); ++i) {
@@ -67,6 +96,7 @@ std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh*
   object["schema"] = "beadmesh.beads/1";
   object["input"] = panel.input;
   object["unit"] = "mm";
+  if (Value parts = parts_of(panel); !parts.empty()) object["parts"] = std::move(parts);
   object["beads"] = std::move(beads);
   object["faces_not_beads"] = std::move(rejected);
   if (mesh)
