@@ -57,6 +57,7 @@ TEST(PanelHtml, QualityIsJudgedByTheLimits) {
   const std::string html = panel_html(plate_panel(), plate(), strict);
   EXPECT_NE(html.find("≥ 5.9"), std::string::npos);
   EXPECT_NE(html.find("✗ fails"), std::string::npos);
+  EXPECT_EQ(test::count(html, "no such element"), 2) << "angles of triangles";
   EXPECT_NE(html.find("200 of 200 elements fail a criterion (100.00 %)"), std::string::npos);
 }
 

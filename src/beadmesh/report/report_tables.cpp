@@ -97,8 +97,17 @@ std::string element_cell(Index element) {
   return fmt::format("<td class=\"number\">{}</td>", element + 1);
 }
 
+struct Verdict {
+  const char *style, *text;
+};
+
+Verdict verdict_on(const Criterion& limits, const MeasureFindings& found) {
+  if (!limits.on) return {"none", "not judged"};
+  if (!found.extreme) return {"none", "no such element"};
+  return found.failed > 0 ? Verdict{"fails", "✗ fails"} : Verdict{"passes", "✓ passes"};
+}
+
 std::string criterion_row(QualityMeasure measure, const Criterion& limits, const MeasureFindings& found) {
-  const bool bad = limits.on && found.failed > 0;
   std::string text = found.extreme_element == no_index
                          ? "<tr>"
                          : fmt::format("<tr data-element=\"{}\">", found.extreme_element);
@@ -107,13 +116,8 @@ std::string criterion_row(QualityMeasure measure, const Criterion& limits, const
   text += number(found.extreme ? fmt::format("{:.3f}", *found.extreme) : "–");
   text += element_cell(found.extreme_element);
   text += number(limits.on ? grouped(found.warned) : "–") + number(limits.on ? grouped(found.failed) : "–");
-  return text + fmt::format("<td class=\"{}\">{}</td></tr>\n",
-                            !limits.on ? "none"
-                            : bad      ? "fails"
-                                       : "passes",
-                            !limits.on ? "not judged"
-                            : bad      ? "✗ fails"
-                                       : "✓ passes");
+  const Verdict verdict = verdict_on(limits, found);
+  return text + fmt::format("<td class=\"{}\">{}</td></tr>\n", verdict.style, verdict.text);
 }
 
 std::vector<MeshElement> elements_of(const ShellMesh& mesh) {
