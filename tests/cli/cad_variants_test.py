@@ -178,7 +178,7 @@ class DamagedCad(VariedCase):
     def test_damaged_files(self):
         for ending in NUMBER:
             whole = self.vary("whole" + ending)
-            for seed in range(int(os.environ.get("DAMAGED_FILES", "25"))):
+            for seed in range(int(os.environ.get("DAMAGED_FILES", "10"))):
                 with self.subTest(ending=ending, seed=seed):
                     path = self.file("damaged" + ending, damaged(whole.read_bytes(), ending, seed))
                     result = run("beads", path)
