@@ -106,7 +106,7 @@ class Everything(unittest.TestCase):
         program = prefix() / "bin/beadmesh"
         version = run(program, "--version")
         self.assertRegex(version, r"^beadmesh \d+\.\d+\.\d+\n")
-        for part in ("OpenCASCADE 7", "oneTBB 20", "Eigen 3", "fmt ", "nlohmann JSON 3", "CLI11 ", "toml++ ", "tl::expected "):
+        for part in ("OpenCASCADE 7", "oneTBB 20", "Eigen 3", "fmt ", "zlib 1", "nlohmann JSON 3", "CLI11 ", "toml++ ", "tl::expected "):
             self.assertRegex(version, re.escape(part) + r"[\d.]*\d")
         self.assertIn("1 beads (1 I", run(program, "beads", panel()).replace("1 bead ", "1 beads "))
 
