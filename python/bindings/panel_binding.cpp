@@ -11,7 +11,13 @@ namespace {
 
 Panel read(const std::string& path, const std::string& unit, double chord, double angle, double max_facet,
            double sew_tolerance, double feature_angle, int jobs) {
-  const ReadOptions options{chord, radians(angle), max_facet, sew_tolerance, radians(feature_angle), unit};
+  ReadOptions options;
+  options.unit = unit;
+  options.chord = chord;
+  options.angle = radians(angle);
+  options.max_facet = max_facet;
+  options.sew_tolerance = sew_tolerance;
+  options.feature_angle = radians(feature_angle);
   Result<Panel> panel = [&] {
     const py::gil_scoped_release released;
     return read_panel(path, options, with_jobs(jobs));
@@ -90,7 +96,12 @@ py::dict beads(const Panel& panel, const BeadOptions& options, int jobs) {
 void add_panel(py::module_& module) {
   py::class_<BeadOptions>(module, "BeadOptions")
       .def(py::init([](double min_aspect_ratio, double max_joint_angle, int max_loops, double min_rise) {
-             return BeadOptions{min_aspect_ratio, radians(max_joint_angle), max_loops, min_rise};
+             BeadOptions options;
+             options.min_aspect_ratio = min_aspect_ratio;
+             options.max_joint_angle = radians(max_joint_angle);
+             options.max_loops = max_loops;
+             options.min_rise = min_rise;
+             return options;
            }),
            py::arg("min_aspect_ratio"), py::arg("max_joint_angle"), py::arg("max_loops"),
            py::arg("min_rise"));
