@@ -4,11 +4,11 @@ import os
 import pathlib
 import random
 import re
+import signal
 import subprocess
-import tempfile
 import unittest
 
-from command import MAKE_EXAMPLE_PANEL, TIMEOUT, Case, contains, example, run
+from command import MAKE_EXAMPLE_PANEL, PROGRAM, TIMEOUT, Case, contains, example, run
 
 VARY_PANEL = os.environ["VARY_PANEL"]
 
@@ -185,6 +185,16 @@ class DamagedCad(VariedCase):
                     self.assertIn(result.returncode, (0, 1, 2), result.stderr)
                     if result.returncode == 2:
                         self.assertEqual(1, len([l for l in result.stderr.splitlines() if l.startswith("error")]))
+
+    def test_a_crash_while_reading_is_a_refusal(self):
+        pipe = self.folder / "pipe.brep"
+        os.mkfifo(pipe)
+        with subprocess.Popen([PROGRAM, "beads", pipe], stderr=subprocess.PIPE, text=True) as program:
+            with open(pipe, "wb"):  # as soon as the program opens it for reading
+                program.send_signal(signal.SIGSEGV)
+                message = program.communicate(timeout=TIMEOUT)[1]
+        self.assertEqual(2, program.returncode)
+        self.assertRegex(message, r"\Aerror read\.crashed: pipe\.brep: .*\n\Z")
 
 
 if __name__ == "__main__":
