@@ -17,21 +17,22 @@ struct Blocked {
   Result<BlockLayout> layout;
 };
 
-Blocked blocked(const PlanarRegion& drawn, int across, int bands = 1) {
+Blocked blocked(const PlanarRegion& drawn, int across, int bands = 1, HubForm hub = HubForm::square) {
   PlanarRegion region = checked_region(drawn).value();
   const Skeleton skeleton = skeleton_of(medial_of(region));
   auto layout =
-      blocks_of_bead(skeleton, ridge_of(skeleton, region), region, {5, 2.5, across, 0, 0, 0, bands});
+      blocks_of_bead(skeleton, ridge_of(skeleton, region), region, {5, 2.5, across, 0, 0, 0, bands, hub});
   return {std::move(region), std::move(layout)};
 }
 
 /// Sound, with counts, an even boundary, and no irregular node but `irregular` (m >= 4) or `hub` (m = 2).
-void expect_blocks(const std::string& what, const PlanarRegion& region, int irregular, int hub = 0) {
+void expect_blocks(const std::string& what, const PlanarRegion& region, int irregular, int hub = 0,
+                   HubForm form = HubForm::square) {
   struct Variant {
     int across, bands;
   };
   for (const auto& [m, bands] : {Variant{2, 1}, {4, 1}, {4, 2}, {6, 1}, {6, 2}, {8, 3}}) {
-    Blocked bead = blocked(region, m, bands);
+    Blocked bead = blocked(region, m, bands, form);
     ASSERT_TRUE(bead.layout) << what << ": " << bead.layout.error().message;
     SCOPED_TRACE(what + ", " + std::to_string(m) + " across, " + std::to_string(bands) + " bands");
     expect_sound(*bead.layout, bead.region);
@@ -96,6 +97,51 @@ TEST(BeadBlocks, HCombAndLadder) {
   expect_blocks("H", letter_h(16, 8), 8);
   expect_blocks("comb", region_of(examples::comb_bead(3, 46, 50, 16, 8)), 10);
   expect_blocks("ladder", region_of(examples::ladder_bead(2, 52, 56, 16, 8)), 8);
+}
+
+TEST(BeadBlocks, ArmsMeetInMitresAtOneIrregularNode) {
+  const auto expect_mitres = [](const std::string& what, const PlanarRegion& region, int ends,
+                                int junctions) {
+    expect_blocks(what, region, 2 * ends + junctions, junctions, HubForm::mitre);
+  };
+  expect_mitres("T", letter_t(16, 9), 3, 1);
+  expect_mitres("Y", region_of(star_footprint({90, 210, 330}, 60, 16, 8)), 3, 1);
+  expect_mitres("X", letter_x(16, pi / 2, 8), 4, 1);
+  expect_mitres("H", letter_h(16, 8), 4, 2);
+  expect_mitres("comb", region_of(examples::comb_bead(3, 46, 50, 16, 8)), 5, 3);
+}
+
+TEST(BeadBlocks, MitresLeadFromTheJunctionToEveryFoot) {
+  const Blocked bead = blocked(letter_t(16, 9), 6, 1, HubForm::mitre);
+  ASSERT_TRUE(bead.layout) << bead.layout.error().message;
+  const auto& layout = *bead.layout;
+  Index junction = no_index;
+  for (Index v = 0; v < Index(layout.vertices.size()); ++v) {
+    int crests = 0;
+    for (const VirtualEdge& edge : layout.edges)
+      if (edge.kind == VirtualEdgeKind::ridge) crests += (edge.start == v) + (edge.end == v);
+    if (crests == 3) junction = v;
+  }
+  ASSERT_NE(junction, no_index);
+  int mitres = 0;
+  for (const VirtualEdge& edge : layout.edges) {
+    if (edge.kind == VirtualEdgeKind::ridge || (edge.start != junction && edge.end != junction)) continue;
+    ++mitres;
+    EXPECT_EQ(edge.count, 3) << "half of the elements across";
+    EXPECT_TRUE(layout.vertices[edge.start == junction ? edge.end : edge.start].on_boundary);
+  }
+  EXPECT_EQ(mitres, 3) << "two concave feet and the far side of the bar";
+}
+
+TEST(BeadBlocks, ArmTooShortForAStripBehindItsMitreIsRefused) {
+  const PlanarRegion region = region_of(star_footprint({0, 120, 240}, 22, 16, 8));
+  const Skeleton skeleton = skeleton_of(medial_of(region));
+  const RidgeGraph ridge = ridge_of(skeleton, region);
+  BeadBlockOptions options{12, 6, 4};
+  options.hub = HubForm::mitre;
+  const auto mitre = blocks_of_bead(skeleton, ridge, region, options);
+  ASSERT_FALSE(mitre);
+  EXPECT_EQ(mitre.error().code, "blocking.short_arm");
 }
 
 TEST(BeadBlocks, TurnedAndMirroredShapesAreTheSame) {

@@ -14,9 +14,10 @@ namespace {
 
 using namespace shapes;
 
-/// Meshed by blocks, sound, no edge under the minimum, nothing inverted, at least `jacobian`, crest on top.
+/// Meshed by blocks, sound, no edge under the minimum, nothing inverted, at least `jacobian`, crest on top. A
+/// junction is irregular where its arms meet in mitres.
 void expect_good(const Footprint& footprint, BeadKind kind, double jacobian, int irregular,
-                 const Base& base = flat_base) {
+                 const Base& base = flat_base, int junctions = 0) {
   const double height = 5;
   const StudiedBead bead = studied_bead(footprint, height, base);
   const auto mesh = mesh_bead(*bead.study, bead.medial, kind);
@@ -26,7 +27,8 @@ void expect_good(const Footprint& footprint, BeadKind kind, double jacobian, int
   const QualitySummary quality = quality_of(*mesh, *bead.study);
   EXPECT_EQ(quality.inverted, 0);
   EXPECT_EQ(quality.edges_below_min, 0) << quality.edge_min;
-  EXPECT_EQ(quality.irregular, irregular);
+  EXPECT_GE(quality.irregular, irregular);
+  EXPECT_LE(quality.irregular, irregular + junctions);
   EXPECT_GE(quality.scaled_jacobian_min, jacobian);
   EXPECT_GE(quality.scaled_jacobian_mean, 0.93);
   const auto nodes = lifted_nodes(mesh->mesh, *bead.study);
@@ -60,16 +62,25 @@ TEST(BeadMesher, Ring) {
   expect_good(examples::circular_ring(44, 14), BeadKind::annular, 0.93, 0);
 }
 TEST(BeadMesher, TBead) {
-  expect_good(t_footprint(), BeadKind::generic, 0.75, 6);
+  expect_good(t_footprint(), BeadKind::generic, 0.65, 6, flat_base, 1);
 }
 TEST(BeadMesher, XBead) {
-  expect_good(star_footprint({0, 90, 180, 270}, 60, 16, 9), BeadKind::generic, 0.7, 8);
+  expect_good(star_footprint({0, 90, 180, 270}, 60, 16, 9), BeadKind::generic, 0.65, 8, flat_base, 1);
 }
 TEST(BeadMesher, YBead) {
-  expect_good(star_footprint({90, 210, 330}, 60, 16, 9), BeadKind::generic, 0.7, 7);
+  expect_good(star_footprint({90, 210, 330}, 60, 16, 9), BeadKind::generic, 0.65, 7);
 }
 TEST(BeadMesher, CombBead) {
-  expect_good(examples::comb_bead(3, 46, 50, 16, 9), BeadKind::generic, 0.7, 10);
+  expect_good(examples::comb_bead(3, 46, 50, 16, 9), BeadKind::generic, 0.65, 10, flat_base, 3);
+}
+
+TEST(BeadMesher, FewElementsAreWarpedWhereArmsMeet) {
+  for (const Footprint& footprint : {t_footprint(), examples::comb_bead(3, 46, 50, 16, 9)}) {
+    const StudiedBead bead = studied_bead(footprint, 5);
+    const auto mesh = mesh_bead(*bead.study, bead.medial, BeadKind::generic);
+    ASSERT_TRUE(mesh);
+    EXPECT_LE(quality_of(*mesh, *bead.study).warped_over_15, 2);
+  }
 }
 
 TEST(BeadMesher, WindingBeadIsMeshedWithoutAnEdgeUnderTheMinimum) {

@@ -117,7 +117,7 @@ class BeadBlocks {
       if (ridge_.nodes[n].arms.size() > 1) place_hub(n);
     for (Index a = 0; a < Index(arms_.size()); ++a)
       if (const auto placed = place_arm(a); !placed) return tl::unexpected(placed.error());
-    for (Index n = 0; n < Index(ridge_.nodes.size()); ++n)
+    for (Index n = 0; n < Index(ridge_.nodes.size()) && options_.hub == HubForm::square; ++n)
       if (ridge_.nodes[n].arms.size() > 1) add_hub_blocks(n);
     return builder_.take();
   }
@@ -173,10 +173,14 @@ class BeadBlocks {
     const size_t k = hub.ends.size();
     for (size_t i = 0; i < k; ++i) {
       hub.sectors.push_back(sector_between(hub.ends[i], hub.ends[(i + 1) % k]));
-      if (!hub.sectors[i].flat) hub.sectors[i].vertex = builder_.add_boundary_vertex(hub.sectors[i].foot);
+      if (!hub.sectors[i].flat || options_.hub == HubForm::mitre)
+        hub.sectors[i].vertex = builder_.add_boundary_vertex(hub.sectors[i].foot);
     }
-    for (size_t i = 0; i < k; ++i)
-      place_hub_chord(n, hub.ends[i], hub.sectors[(i + k - 1) % k], hub.sectors[i]);
+    for (size_t i = 0; i < k; ++i) {
+      const Sector &right = hub.sectors[(i + k - 1) % k], &left = hub.sectors[i];
+      options_.hub == HubForm::mitre ? place_mitre(n, hub.ends[i], right, left)
+                                     : place_hub_chord(n, hub.ends[i], right, left);
+    }
     hubs_.emplace_back(n, std::move(hub));
   }
 
@@ -202,6 +206,16 @@ class BeadBlocks {
         left.flat ? builder_.add_boundary_vertex(end.at_end ? station.right : station.left) : left.vertex;
     outward.right =
         right.flat ? builder_.add_boundary_vertex(end.at_end ? station.left : station.right) : right.vertex;
+    (end.at_end ? end_chord_ : start_chord_)[end.arm] = end.at_end ? outward.turned() : outward;
+  }
+
+  /// The arm begins in the junction itself, between the lines to the feet beside it.
+  void place_mitre(Index n, const ArmEnd& end, const Sector& right, const Sector& left) {
+    Chord outward;
+    outward.along = end.at_end ? arms_[end.arm].length() : 0;
+    outward.middle = node_vertex_[n];
+    outward.left = left.vertex;
+    outward.right = right.vertex;
     (end.at_end ? end_chord_ : start_chord_)[end.arm] = end.at_end ? outward.turned() : outward;
   }
 
@@ -255,6 +269,8 @@ class BeadBlocks {
 
   /// No room for a strip: the two ends share one cut.
   Result<void> place_short_arm(Index a, bool start_tip, bool end_tip, double middle) {
+    if (options_.hub == HubForm::mitre && !(start_tip && end_tip))
+      return fail("blocking.short_arm", "an arm is too short for a strip between mitres");
     if (!start_tip && !end_tip)
       return fail("blocking.short_arm", "two junctions are too near for a block between them");
     if (options_.elements_along)

@@ -8,6 +8,11 @@
 
 namespace beadmesh {
 
+/// What arms of a generic bead meet in. square: each ends at a cut through the feet beside it, and blocks
+/// fill the middle; mitre: each runs on to the lines from the junction to the feet, as mouldings meet in a
+/// corner.
+enum class HubForm { square, mitre };
+
 struct BeadBlockOptions {
   double size = 5;          ///< default 5 mm: target element length
   double min_edge = 2.5;    ///< default 2.5 mm: minimum element length
@@ -16,6 +21,7 @@ struct BeadBlockOptions {
   int elements_along = 0;   ///< default 0: from the size; on the strip of every arm
   int clamp_rows = 0;       ///< default 0: from the size; p of figure 15a
   int bands = 1;  ///< default 1: rows around the cores of the clamps; fewer where no core would be left
+  HubForm hub = HubForm::square;  ///< default square
 };
 
 /// I-beads by the split lines of section 4.2 and the clamp of figure 15a; every arm of a generic bead

@@ -23,17 +23,20 @@ namespace {
 
 /// Worst scaled Jacobian that a bead mesh may show before the next method is tried.
 constexpr double acceptable_jacobian = 0.35;
-/// Good enough to stop looking for a better variant of the same method.
-constexpr double good_score = 0.84;
-/// Fewer elements across are tried below it.
+/// Fewer elements across are tried where no score reaches it.
 constexpr double fair_score = 0.6;
-/// Better shapes do not count.
-constexpr double good_jacobian = 0.86;
+/// Scaled Jacobian that is given up for the surface and for warpage: in beads with and without junctions.
+/// Where arms meet in mitres, corners are sharper anyhow.
+constexpr double floor_of_junctions = 0.7, floor_without = 0.858;
+/// What falls short of the floor by less is good enough to stop looking for a better variant.
+constexpr double good_enough = 0.015;
+/// Shapes that are better than the floor count so much less.
+constexpr double surplus_share = 0.2;
 
 /// Criteria of crash and other models let no element be warped more.
 constexpr double largest_warpage = radians(15);
 /// What a bead would lose in score if all of its elements were warped.
-constexpr double warpage_cost = 0.5;
+constexpr double warpage_cost = 2;
 
 /// More than the worst scaled Jacobian gains (up to 0.06 has been seen) while the elements come nearer to the
 /// surface: a variant further behind the best is given up before.
@@ -81,13 +84,16 @@ Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map,
 
 struct Judged {
   BeadMesh mesh;
-  double score = 0;  ///< worst scaled Jacobian, less what the distance from the surface takes away
-  double rank = 0;   ///< the score, less what warped elements take away: the best of all attempts is kept
+  double score = 0;   ///< worst scaled Jacobian, less what the distance from the surface takes away
+  double rank = 0;    ///< the score, less what warped elements take away: the best of all attempts is kept
+  bool good = false;  ///< no better one need be looked for
 };
 
-double score_of(const SmoothingReport& report, double size) {
+/// `floor`: the scaled Jacobian beyond which more counts little.
+double score_of(const SmoothingReport& report, double size, double floor) {
   const double excess = std::max(0.0, report.deviation / size - acceptable_deviation);
-  return std::min(report.scaled_jacobian_min, good_jacobian) - 2 * excess;
+  const double surplus = std::max(0.0, report.scaled_jacobian_min - floor);
+  return report.scaled_jacobian_min - (1 - surplus_share) * surplus - 2 * excess;
 }
 
 /// The loops of the boundary as lines to slide along, but for those whose nodes a neighbour has set. Tips
@@ -154,9 +160,9 @@ double shortest_edge(const PlanarMesh& mesh, const FaceStudy& study) {
 /// Lengths are kept on the facets. Where an edge falls under the minimum on the surface itself, it is
 /// smoothed again with as much more.
 SmoothingReport smooth_on_surface(BeadMesh& mesh, const FaceStudy& study, const BeadMesherOptions& options,
-                                  double hopeless) {
+                                  double floor, double hopeless) {
   const BeadMesh before = mesh;
-  SmoothingOptions smoothing{options.size, options.min_edge, 20, 10, 10, hopeless};
+  SmoothingOptions smoothing{options.size, options.min_edge, 20, 10, 10, hopeless, floor};
   SmoothingReport report = smooth(mesh.mesh, study.map.get(), mesh.lines, smoothing);
   if (report.given_up) return report;
   const double shortest = shortest_edge(mesh.mesh, study);
@@ -171,10 +177,10 @@ SmoothingReport smooth_on_surface(BeadMesh& mesh, const FaceStudy& study, const 
 /// Smooths and judges. What falls short is said in the failure; so is a shape under `hopeless` before the
 /// surface counts.
 Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const BeadMesherOptions& options,
-                        double hopeless) {
+                        double floor, double hopeless) {
   if (!mesh) return tl::unexpected(mesh.error());
   free_boundary(*mesh, study.region, options);
-  const SmoothingReport report = smooth_on_surface(*mesh, study, options, hopeless);
+  const SmoothingReport report = smooth_on_surface(*mesh, study, options, floor, hopeless);
   take_over_boundary(*mesh);
   if (report.inverted > 0)
     return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
@@ -184,9 +190,9 @@ Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const Bea
   if (report.given_up || report.scaled_jacobian_min < acceptable_jacobian)
     return fail("mesh.bead.jacobian",
                 "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
-  const double score = score_of(report, options.size);
-  const double rank = score - warpage_cost * share_of_warped(mesh->mesh, study);
-  return Judged{std::move(*mesh), score, rank};
+  const double score = score_of(report, options.size, floor), warped = share_of_warped(mesh->mesh, study);
+  return Judged{std::move(*mesh), score, score - warpage_cost * warped,
+                warped == 0 && score > floor - good_enough};
 }
 
 std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {
@@ -245,10 +251,12 @@ class BeadMesher {
     if (is_prescribed(options_))
       return fail("mesh.bead.prescribed", "a neighbour has set the nodes of its boundary");
     const RidgeGraph ridge = ridge_of(crest_, study_.region, study_.map.get());
+    const bool joins = std::any_of(ridge.nodes.begin(), ridge.nodes.end(),
+                                   [](const RidgeNode& node) { return node.arms.size() > 1; });
+    floor_ = joins ? floor_of_junctions : floor_without;
     for (int m : counts_across()) {
       across_ = m;
-      for (int bands = m >= least_across_of_two_bands ? 2 : 1; bands >= 1; --bands)
-        if (armed_with(ridge, m, bands)) return result();
+      if (armed_with(ridge, m, forms(m, joins))) return result();
       // Fewer elements across only where no clamp would do.
       if (best_ && best_->score >= fair_score) return result();
     }
@@ -259,24 +267,50 @@ class BeadMesher {
   }
 
  private:
-  /// Variants of the clamps; true where one is good enough.
-  bool armed_with(const RidgeGraph& ridge, int elements_across, int bands) {
-    for (int extra_rows : {0, 1, -1, 2}) {
-      if (extra_rows && options_.control.clamp_rows) break;
-      const BeadBlockOptions blocks{options_.size,
-                                    options_.min_edge,
-                                    elements_across,
-                                    extra_rows,
-                                    options_.control.elements_along.value_or(0),
-                                    options_.control.clamp_rows.value_or(0),
-                                    bands};
-      if (attempt("blocks", [&] {
-            return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map,
-                               options_);
-          }))
-        return true;
+  /// How arms end and meet.
+  struct Form {
+    HubForm hub;
+    int bands;
+  };
+
+  /// Forms to be tried with m elements across, the likeliest first.
+  static std::vector<Form> forms(int elements_across, bool joins) {
+    std::vector<Form> out;
+    const int most_bands = elements_across >= least_across_of_two_bands ? 2 : 1;
+    for (int bands = most_bands; bands >= 1; --bands) {
+      if (joins) out.push_back({HubForm::mitre, bands});
+      out.push_back({HubForm::square, bands});
+    }
+    return out;
+  }
+
+  /// Every form, then the best of them with other rows in its clamps; true where one is good enough.
+  bool armed_with(const RidgeGraph& ridge, int elements_across, const std::vector<Form>& forms) {
+    Form best = forms.front();
+    for (const Form& form : forms) {
+      const double before = best_ ? best_->rank : -1e300;
+      if (attempt_form(ridge, elements_across, form, 0)) return true;
+      if (best_ && best_->rank > before) best = form;
+    }
+    for (int extra_rows : {1, -1, 2}) {
+      if (options_.control.clamp_rows) break;
+      if (attempt_form(ridge, elements_across, best, extra_rows)) return true;
     }
     return false;
+  }
+
+  bool attempt_form(const RidgeGraph& ridge, int elements_across, const Form& form, int extra_rows) {
+    const BeadBlockOptions blocks{options_.size,
+                                  options_.min_edge,
+                                  elements_across,
+                                  extra_rows,
+                                  options_.control.elements_along.value_or(0),
+                                  options_.control.clamp_rows.value_or(0),
+                                  form.bands,
+                                  form.hub};
+    return attempt("blocks", [&] {
+      return mesh_layout(blocks_of_bead(skeleton_, ridge, study_.region, blocks), *study_.map, options_);
+    });
   }
 
   BeadMethod method() const { return options_.control.method.value_or(BeadMethod::automatic); }
@@ -325,13 +359,13 @@ class BeadMesher {
     auto mesh = make();
     if (mesh && !is_new(mesh->mesh)) return false;
     auto judged =
-        finished(std::move(mesh), study_, options_, best_ ? best_->rank - most_gain_on_surface : -2);
+        finished(std::move(mesh), study_, options_, floor_, best_ ? best_->rank - most_gain_on_surface : -2);
     if (!judged) {
       const std::string reason = name + ": " + judged.error().message;
       if (std::find(reasons_.begin(), reasons_.end(), reason) == reasons_.end()) reasons_.push_back(reason);
       return false;
     }
-    const bool good = judged->score >= good_score;
+    const bool good = judged->good;
     if (!best_ || judged->rank > best_->rank) {
       best_ = std::move(*judged);
       if (best_->mesh.method == "blocks") best_->mesh.elements_across = across_;
@@ -392,6 +426,7 @@ class BeadMesher {
   Skeleton skeleton_;
   Skeleton crest_;  ///< the same, its points on the crest
   Width width_;
+  double floor_ = floor_without;
   int across_ = 0;  ///< of the blocks tried last
   std::vector<std::string> reasons_;
   std::vector<PlanarMesh> tried_;  ///< before smoothing

@@ -18,6 +18,14 @@ constexpr std::array<double, 2> places_on_edge{0.3, 0.7};
 /// Places of an element that remember their facet: two an edge and the centre.
 constexpr int places_of_element = 9;
 
+/// Warpage up to which nothing is done about it: criteria of crash models let no element have more than 15
+/// degrees.
+constexpr double fair_warpage = radians(12);
+constexpr double warpage_weight = 2;
+/// Distance of crest edges from the surface, as a share of the size, that less warpage is not worth.
+constexpr double crest_share = 0.04;
+constexpr double crest_wall = 40;
+
 /// Scaled Jacobian per corner and length of the side that starts there.
 struct Corners {
   int count = 4;
@@ -62,6 +70,15 @@ double square(double x) {
   return x * x;
 }
 
+/// Grows with the squared angle between the two triangles of a quad, summed over both diagonals.
+double warpage_cost(const SurfaceNodes& nodes, const MeshElement& element) {
+  Vec3 side[4], normal[4];
+  for (int i = 0; i < 4; ++i) side[i] = nodes.space(element[(i + 1) % 4]) - nodes.space(element[i]);
+  for (int i = 0; i < 4; ++i) normal[i] = normalized(cross(side[(i + 3) % 4], side[i]));
+  const double angles = 2 * (2 - dot(normal[0], normal[2]) - dot(normal[1], normal[3]));
+  return warpage_weight * square(std::max(0.0, angles / square(fair_warpage) - 1));
+}
+
 }  // namespace
 
 double signed_quality(const SurfaceNodes& nodes, const MeshElement& element) {
@@ -96,6 +113,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
   // Near the minimum edge length a soft wall begins; what is below it weighs more than any shape.
   const double soft = 1.2 * limits_.min_edge, width = soft - limits_.min_edge, long_side = 1.6 * limits_.size;
   const double wall = aim == MotionAim::edges ? 2000 : 50;
+  const bool near_surface = aim == MotionAim::surface || aim == MotionAim::flat;
   State state;
   state.worst = 1;
   for (const Index e : mesh_.star(node)) {
@@ -104,11 +122,12 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
     const Corners corners = corners_of(nodes_, element);
     state.worst = std::min(state.worst, orientation > 0 ? corners.worst : orientation - 1);
     if (orientation <= 0) state.cost += 20 * (1 - orientation);
+    if (aim == MotionAim::flat && is_quad(element)) state.cost += warpage_cost(nodes_, element);
     for (int i = 0; i < corners.count; ++i) {
       const double t = square(1 - corners.jacobian[i]);
       state.cost += aim == MotionAim::worst ? t + 30 * t * t * t : t + 4 * t * t;
       // Seen from the surface alone, skew costs nothing: rows would run zigzag.
-      if (aim == MotionAim::surface) state.cost += 1 - corners.jacobian[i];
+      if (near_surface) state.cost += 1 - corners.jacobian[i];
       if (corners.jacobian[i] < limits_.aim) state.cost += 40 * square(limits_.aim - corners.jacobian[i]);
       if (!is_own_side(element, i, node)) continue;
       const double side = corners.side[i];
@@ -121,7 +140,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
       if (side > long_side) state.cost += 0.5 * square((side - long_side) / limits_.size);
     }
   }
-  if (aim == MotionAim::surface) add_deviations(node, state);
+  if (near_surface) add_deviations(node, aim, state);
   return state;
 }
 
@@ -181,9 +200,11 @@ std::array<Vec3, 2> NodeMotion::surface_along(Index node, Index e, int step) con
   return fresh.surface;
 }
 
-void NodeMotion::add_deviations(Index node, State& state) const {
+void NodeMotion::add_deviations(Index node, MotionAim aim, State& state) const {
   visit_deviations(node, [&](double deviation, double weight) {
     state.cost += 0.4 * weight * square(square(deviation / (surface_share * limits_.size)));
+    if (aim == MotionAim::flat && weight == crest_weight)
+      state.cost += crest_wall * square(std::max(0.0, deviation / (crest_share * limits_.size) - 1));
     state.deviation = std::max(state.deviation, deviation);
   });
 }
@@ -202,6 +223,7 @@ double NodeMotion::cost_at(Index node, const SurfacePlace& place, MotionAim aim)
 /// Scaled Jacobian above which a step may make elements worse. Far from the surface, shape gives way.
 double NodeMotion::floor_of(const State& before, MotionAim aim) const {
   if (aim == MotionAim::edges) return 0.25;
+  if (aim == MotionAim::flat) return limits_.flat_floor;
   if (aim != MotionAim::surface) return limits_.floor;
   return before.deviation > 1.5 * surface_share * limits_.size ? 0.7 : 0.97 * limits_.aim;
 }

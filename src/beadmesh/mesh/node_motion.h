@@ -14,12 +14,14 @@ namespace beadmesh {
 struct MotionLimits {
   double size = 5;
   double min_edge = 2.5;
-  double floor = 0.7;  ///< scaled Jacobians above it may be traded against each other
-  double aim = 0;      ///< what falls short of this scaled Jacobian is driven towards it; 0: nothing
+  double floor = 0.7;        ///< scaled Jacobians above it may be traded against each other
+  double flat_floor = 0.85;  ///< the same for MotionAim::flat
+  double aim = 0;            ///< what falls short of this scaled Jacobian is driven towards it; 0: nothing
 };
 
-/// What an optimisation step is after; `surface`: shape and the elements' distance from the surface.
-enum class MotionAim { mean, worst, edges, surface };
+/// What an optimisation step is after; `surface`: shape and the elements' distance from the surface; `flat`:
+/// these and their warpage.
+enum class MotionAim { mean, worst, edges, surface, flat };
 
 /// How good one element is: scaled Jacobian on the surface; where the element is turned over in the plane,
 /// below -1.
@@ -61,7 +63,7 @@ class NodeMotion {
   };
   bool is_own_side(const MeshElement& element, int side, Index node) const;
   State measure(Index node, MotionAim aim) const;
-  void add_deviations(Index node, State& state) const;
+  void add_deviations(Index node, MotionAim aim, State& state) const;
   double floor_of(const State& before, MotionAim aim) const;
   template <class Visit>
   void visit_deviations(Index node, Visit visit) const;

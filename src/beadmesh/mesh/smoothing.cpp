@@ -13,7 +13,7 @@ constexpr double min_edge_margin = 1.005;
 
 /// Scaled Jacobian that elements at a node of three quads can reach: the sine of 120 degrees, and a little
 /// more to strive for.
-constexpr double regular_jacobian = 0.88;
+constexpr double regular_jacobian = 0.885;
 
 /// Shape and edge length of the whole mesh, one stage of node movements after the other.
 class Smoother {
@@ -26,7 +26,7 @@ class Smoother {
         connectivity_(mesh),
         lines_(lines, mesh.freedom),
         motion_(nodes_, connectivity_, mesh.freedom, lines_,
-                {options.size, options.min_edge * min_edge_margin, 0.7,
+                {options.size, options.min_edge * min_edge_margin, 0.7, options.flat_floor,
                  options.surface_passes > 0 ? regular_jacobian : 0}) {}
 
   SmoothingReport run() {
@@ -113,11 +113,16 @@ class Smoother {
           [&](Index node) { return motion_.optimise(node, MotionAim::worst); });
   }
 
+  /// Shape and distance first, then warpage is taken away from what has both.
   void near_surface() {
-    const auto approach = [&](Index node) { return motion_.optimise(node, MotionAim::surface); };
-    sweep(all_nodes(), options_.surface_passes, 1.0, approach);
+    const auto approach = [&](MotionAim aim) {
+      sweep(all_nodes(), options_.surface_passes, 1.0,
+            [&](Index node) { return motion_.optimise(node, aim); });
+    };
+    approach(MotionAim::surface);
     improve_worst(regular_jacobian);
-    sweep(all_nodes(), options_.surface_passes, 1.0, approach);
+    approach(MotionAim::surface);
+    approach(MotionAim::flat);
     lengthen_short_edges();
   }
 

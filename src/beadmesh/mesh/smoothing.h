@@ -13,9 +13,11 @@ struct SmoothingOptions {
   int variational_passes =
       20;  ///< default 20: Winslow / isoparametric / length-weighted Laplace sweeps at most
   int optimisation_passes = 10;  ///< default 10: sweeps over the worst elements at most
-  int surface_passes = 0;        ///< default 0: sweeps that bring the elements nearer to the surface
+  int surface_passes = 0;        ///< default 0: sweeps that bring the elements nearer to the surface and take
+                                 ///< warpage away
   double hopeless =
       -2;  ///< default -2 = never: worst scaled Jacobian under which surface passes are left out
+  double flat_floor = 0.858;  ///< default 0.858: scaled Jacobian that is given up for less warpage
 };
 
 struct SmoothingReport {
