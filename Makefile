@@ -10,12 +10,12 @@ demo: program
 	$(PROGRAM) mesh demo/floor.step -o demo/floor.bdf --json demo/floor.json --report demo/floor.html; \
 	  status=$$?; test $$status -le 1 || exit $$status
 	$(PROGRAM) medial demo/floor.step --face 2 --svg demo/medial.svg
-	@printf '\n%s\n' 'The results are in demo/:' \
+	@printf '%s\n' '' 'The results are in demo/:' \
 	  '  floor.step   the panel' \
 	  '  floor.bdf    the mesh, a Nastran deck with a property and sets per bead' \
 	  '  floor.json   the bead table' \
-	  '  floor.html   the report in 3-D: beads by kind, medial axes, mesh (open it in a browser)' \
-	  '  medial.svg   the medial object of one bead'
+	  '  medial.svg   the medial object of one bead' \
+	  '' 'Open the report in a browser:' '  file://$(CURDIR)/demo/floor.html'
 
 test: test-packages build
 	ctest --preset release

@@ -36,18 +36,26 @@ Result<int> run_beads(const Options& options) {
   auto panel = read_guarded(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
   panel = compose_faces(std::move(*panel), options.settings.beads, context);
-  const BeadTable table = recognise_beads(*panel, options.settings.beads, context);
+  BeadTable table = recognise_beads(*panel, options.settings.beads, context);
+  std::vector<BeadDesign> designs;
+  if (options.design_check) designs = design_of_beads(*panel, table, context);
+  const std::vector<Diagnostic> past_limits = judge_design(designs, options.settings.design);
+  table.diagnostics.insert(table.diagnostics.end(), past_limits.begin(), past_limits.end());
   context.report("write", 0);
 
   Outputs outputs;
-  outputs.add(options.outputs.json, [&](std::ostream& out) { out << bead_json(*panel, table); });
-  outputs.add(options.outputs.csv, [&](std::ostream& out) { out << bead_csv(*panel, table); });
+  outputs.add(options.outputs.json, [&](std::ostream& out) {
+    out << (options.design_check ? bead_json(*panel, table, designs) : bead_json(*panel, table));
+  });
+  outputs.add(options.outputs.csv, [&](std::ostream& out) {
+    out << (options.design_check ? bead_csv(*panel, table, designs) : bead_csv(*panel, table));
+  });
   outputs.add(options.outputs.report, [&](std::ostream& out) { out << report_of(*panel, table); });
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
   bar.clear();
   if (options.timings) fmt::print(stderr, "{}", timing_table(bar.stages()));
-  if (!outputs.uses_stdout()) fmt::print("{}", bead_summary(*panel, table));
-  return print_diagnostics(table.diagnostics) ? fell_short : done;
+  if (!outputs.uses_stdout()) fmt::print("{}{}", bead_summary(*panel, table), design_summary(designs));
+  return print_diagnostics(table.diagnostics) || !past_limits.empty() ? fell_short : done;
 }
 
 }  // namespace beadmesh::app

@@ -83,6 +83,16 @@ Keys<SettingsLayer> deck_keys() {
           text_key("analysis", &SettingsLayer::analysis)};
 }
 
+Keys<DesignLimits> design_keys() {
+  return {number_key("max_depth_to_width", &DesignLimits::max_depth_to_width),
+          number_key("max_wall_angle", &DesignLimits::max_wall_angle),
+          number_key("min_crown_radius", &DesignLimits::min_crown_radius),
+          number_key("min_root_radius", &DesignLimits::min_root_radius),
+          number_key("min_bead_distance", &DesignLimits::min_bead_distance),
+          number_key("min_rim_distance", &DesignLimits::min_rim_distance),
+          number_key("min_hole_distance", &DesignLimits::min_hole_distance)};
+}
+
 Key<BeadMeshControl> method_key() {
   return {"method", "automatic, blocks, ridge or face", [](const toml::node& node, BeadMeshControl& control) {
             control.method = bead_method_of(node.value<std::string>().value_or(""));
@@ -155,6 +165,7 @@ class ConfigReader {
   Result<SettingsLayer> run(const toml::table& root) {
     auto done = read_table(root, "", main_keys(), layer_,
                            {{"bead", table_of("bead.", bead_keys(), layer_)},
+                            {"design", table_of("design.", design_keys(), layer_.design)},
                             {"read", table_of("read.", read_keys(), layer_)},
                             {"deck", table_of("deck.", deck_keys(), layer_)},
                             {"mesh", [this](const toml::node& node) { return read_mesh(node); }}});
@@ -266,6 +277,22 @@ class ConfigReader {
 };
 
 }  // namespace
+
+std::vector<ConfigKey> config_keys() {
+  std::vector<ConfigKey> all;
+  const auto add = [&](const char* table, const auto& keys) {
+    for (const auto& key : keys) all.push_back({table, key.name, key.type});
+  };
+  add("", main_keys());
+  add("[bead]", bead_keys());
+  add("[read]", read_keys());
+  add("[deck]", deck_keys());
+  add("[design]", design_keys());
+  add("[mesh.bead], [mesh.bead.I], .generic, .annular", control_keys());
+  add("[[mesh.beads]]", single_keys());
+  add("[[mesh.local_size]]", local_size_keys());
+  return all;
+}
 
 Result<std::string> config_text(const std::filesystem::path& path) {
   std::error_code error;

@@ -25,6 +25,9 @@ Result<int> run_verb(const Options& options) {
       return run_check(options);
     case Verb::batch:
       return run_batch(options.batch);
+    case Verb::options:
+      fmt::print("{}", options_page());
+      return done;
   }
   return internal_error;
 }

@@ -10,6 +10,8 @@
 #include "beadmesh/write/deck.h"
 #include "config_file.h"
 #include "control_text.h"
+#include "options_page.h"
+#include "usage_failure.h"
 #include "version_text.h"
 
 namespace beadmesh::app {
@@ -21,7 +23,7 @@ struct RawOptions {
   std::vector<std::string> configs, beads, local_sizes;
   BatchOptions batch;
   OutputNames outputs;
-  bool feet = false, timings = false;
+  bool feet = false, timings = false, design_check = false;
   SettingsLayer flags;
 };
 
@@ -100,6 +102,9 @@ void add_beads(CLI::App& app, RawOptions& raw) {
   CLI::App& verb = *app.add_subcommand("beads", "recognise the beads of a panel: their table");
   add_common(verb, raw);
   verb.add_option("--report", raw.outputs.report, "report: .html, the beads on the surface");
+  verb.add_flag("--design-check", raw.design_check,
+                "measure depth to width, wall angle, radii and distances; judge them by [design] of the\n"
+                "settings");
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
 }
 
@@ -183,15 +188,16 @@ Result<Settings> settings_of(Verb verb, const RawOptions& raw) {
 
 Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
   Options options;
-  for (const auto& [name, verb] :
-       {std::pair{"mesh", Verb::mesh}, std::pair{"beads", Verb::beads}, std::pair{"medial", Verb::medial},
-        std::pair{"check", Verb::check}, std::pair{"batch", Verb::batch}})
+  for (const auto& [name, verb] : {std::pair{"mesh", Verb::mesh}, std::pair{"beads", Verb::beads},
+                                   std::pair{"medial", Verb::medial}, std::pair{"check", Verb::check},
+                                   std::pair{"batch", Verb::batch}, std::pair{"options", Verb::options}})
     if (app.got_subcommand(name)) options.verb = verb;
   options.batch = raw.batch;
-  if (options.verb == Verb::batch) return options;
+  if (options.verb == Verb::batch || options.verb == Verb::options) return options;
   options.input = raw.input;
   options.outputs = raw.outputs;
   options.feet = raw.feet;
+  options.design_check = raw.design_check;
   options.timings = raw.timings;
   options.has_size = raw.flags.size.has_value();
   options.has_min_edge = raw.flags.min_edge.has_value();
@@ -206,30 +212,45 @@ Result<Options> options_of(const CLI::App& app, const RawOptions& raw) {
   return options;
 }
 
-}  // namespace
-
-Result<std::optional<Options>> parse_command_line(int argc, const char* const* argv) {
-  CLI::App app("Meshes sheet-metal panels with their beads recognised and meshed on purpose.", "beadmesh");
+void describe(CLI::App& app, RawOptions& raw) {
+  app.name("beadmesh");
+  app.description("Meshes sheet-metal panels with their beads recognised and meshed on purpose.");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(
+      "Begin with: beadmesh mesh panel.step -o panel.bdf --report panel.html\n\n"
       "Exit status: 0 done; 1 done, but something fell short and is named; 2 wrong usage or unreadable "
       "input,\n"
       "nothing written; 3 internal error. 'beadmesh VERB --help' lists the options of a verb.");
-  RawOptions raw;
   add_mesh(app, raw);
   add_beads(app, raw);
   add_medial(app, raw);
   add_check(app, raw);
   add_batch(app, raw.batch);
+  app.add_subcommand("options", "this reference of all options")->group("");
   refuse_empty_values(app);
+}
+
+}  // namespace
+
+std::string options_page() {
+  CLI::App app;
+  RawOptions raw;
+  describe(app, raw);
+  return page_of(app);
+}
+
+Result<std::optional<Options>> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app;
+  RawOptions raw;
+  describe(app, raw);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
     app.exit(request, std::cout, std::cerr);
     return std::nullopt;
   } catch (const CLI::ParseError& problem) {
-    return fail("usage.arguments", problem.what(), "see beadmesh --help");
+    return usage_failure(app, argc, argv, problem);
   }
   auto options = options_of(app, raw);
   if (!options) return tl::make_unexpected(options.error());

@@ -10,7 +10,7 @@
 
 namespace beadmesh::app {
 
-enum class Verb { mesh, beads, medial, check, batch };
+enum class Verb { mesh, beads, medial, check, batch, options };
 
 /// Files to write; empty: not asked for; "-": standard output (json and csv only).
 struct OutputNames {
@@ -22,15 +22,19 @@ struct Options {
   std::filesystem::path input;
   OutputNames outputs;
   Settings settings;
-  Index face = 0;         ///< of `medial`: 1-based number, 0: all
-  bool timings = false;   ///< of `mesh` and `beads`: time of each stage on standard error
-  bool feet = false;      ///< of `medial`: lines to the touching points in the picture
-  bool has_size = false;  ///< of `check`: was given
+  Index face = 0;             ///< of `medial`: 1-based number, 0: all
+  bool timings = false;       ///< of `mesh` and `beads`: time of each stage on standard error
+  bool design_check = false;  ///< of `beads`
+  bool feet = false;          ///< of `medial`: lines to the touching points in the picture
+  bool has_size = false;      ///< of `check`: was given
   bool has_min_edge = false;
   std::string criteria;  ///< of `check`: file with limits; empty: those of the preset
   std::string preset;    ///< of `check`; empty: no limits but the file's
   BatchOptions batch;    ///< of `batch`, which has no others
 };
+
+/// The reference of all options and settings, as a page of the documentation.
+std::string options_page();
 
 /// The options; none where help or version was asked for and has been printed. Fails with usage.* and
 /// config.*.

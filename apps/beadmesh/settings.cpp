@@ -67,6 +67,19 @@ void set(double& target, const std::optional<double>& value, double factor = 1) 
   if (value) target = *value * factor;
 }
 
+void apply_design(const DesignLimits& layer, DesignLimits& limits) {
+  const auto keep = [](std::optional<double>& target, const std::optional<double>& value, double factor = 1) {
+    if (value) target = *value * factor;
+  };
+  keep(limits.max_depth_to_width, layer.max_depth_to_width);
+  keep(limits.max_wall_angle, layer.max_wall_angle, radians(1));
+  keep(limits.min_crown_radius, layer.min_crown_radius);
+  keep(limits.min_root_radius, layer.min_root_radius);
+  keep(limits.min_bead_distance, layer.min_bead_distance);
+  keep(limits.min_rim_distance, layer.min_rim_distance);
+  keep(limits.min_hole_distance, layer.min_hole_distance);
+}
+
 struct Bound {
   const char* code;
   const char* what;
@@ -81,6 +94,18 @@ Result<void> check_bound(const Bound& b) {
   if (good) return {};
   return fail(b.code, fmt::format("the {} is {}", b.what, b.value),
               fmt::format("it must be {} {} and at most {}", b.open ? "above" : "at least", b.low, b.high));
+}
+
+Result<void> check_design(const DesignLimits& d) {
+  const std::pair<const char*, std::optional<double>> limits[] = {
+      {"max_depth_to_width", d.max_depth_to_width}, {"max_wall_angle", d.max_wall_angle},
+      {"min_crown_radius", d.min_crown_radius},     {"min_root_radius", d.min_root_radius},
+      {"min_bead_distance", d.min_bead_distance},   {"min_rim_distance", d.min_rim_distance},
+      {"min_hole_distance", d.min_hole_distance}};
+  for (const auto& [name, value] : limits)
+    if (value && (!std::isfinite(*value) || *value < 0))
+      return fail("usage.design", fmt::format("the limit {} is {}", name, *value), "it must be 0 or more");
+  return {};
 }
 
 Result<void> check_beads(const MeshSizes& sizes) {
@@ -118,6 +143,7 @@ Result<void> apply(const SettingsLayer& layer, Settings& settings) {
   set(settings.beads.min_aspect_ratio, layer.min_aspect_ratio);
   set(settings.beads.max_joint_angle, layer.max_joint_angle, radians(1));
   set(settings.beads.min_rise, layer.min_rise);
+  apply_design(layer.design, settings.design);
   settings.beads.max_loops = layer.max_loops.value_or(settings.beads.max_loops);
   set(settings.read.chord, layer.chord);
   set(settings.read.angle, layer.angle, radians(1));
@@ -155,6 +181,7 @@ Result<void> check(const Settings& s) {
                             s.sizes.size),
                 "half the size is usual");
   if (auto good = check_local_sizes(s.sizes.local, s.sizes.min_edge); !good) return good;
+  if (auto good = check_design(s.design); !good) return good;
   return check_beads(s.sizes);
 }
 

@@ -17,7 +17,8 @@ struct Settings {
   BeadOptions beads;
   ReadOptions read;
   DeckOptions deck;
-  int jobs = 0;  ///< default 0: all cores
+  DesignLimits design;  ///< default: none; of `beads --design-check`
+  int jobs = 0;         ///< default 0: all cores
 };
 
 /// What one layer says; what it leaves out stays as it was.
@@ -30,6 +31,7 @@ struct SettingsLayer {
   std::optional<std::string> unit, skin;
   std::optional<double> min_aspect_ratio, max_joint_angle, min_rise;            ///< angle in degrees
   std::optional<double> chord, angle, max_facet, sew_tolerance, feature_angle;  ///< angles in degrees
+  DesignLimits design;                                                          ///< angle in degrees
   BeadControls controls;
   std::vector<LocalSize> local_sizes;
 };

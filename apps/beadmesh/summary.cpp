@@ -54,6 +54,29 @@ std::string bead_summary(const Panel& panel, const BeadTable& table,
   return text;
 }
 
+std::string design_summary(const std::vector<BeadDesign>& designs) {
+  if (designs.empty()) return "";
+  const auto text_of = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.2f}", *value) : std::string("-");
+  };
+  std::string text =
+      fmt::format("{:>4} {:>12} {:>10} {:>8} {:>8} {:>14} {:>8} {:>8}  {}\n", "id", "depth/width",
+                  "wall angle", "crown r", "root r", "next bead", "rim", "hole", "past its limit");
+  for (const BeadDesign& design : designs) {
+    const SectionMeasures& s = design.sections;
+    const BeadDistances& d = design.distances;
+    std::string exceeded;
+    for (const std::string& name : design.exceeded) exceeded += (exceeded.empty() ? "" : ", ") + name;
+    text += fmt::format("{:>4} {:>12} {:>10} {:>8} {:>8} {:>14} {:>8} {:>8}  {}\n", design.id,
+                        s.sections ? fmt::format("{:.3f}", s.depth_to_width) : "-",
+                        s.sections ? fmt::format("{:.1f}", degrees(s.wall_angle)) : "-",
+                        text_of(s.crown_radius), text_of(s.root_radius),
+                        d.bead ? fmt::format("{:.2f} to {}", *d.bead, d.nearest_bead) : "-", text_of(d.rim),
+                        text_of(d.hole), exceeded);
+  }
+  return text;
+}
+
 std::string quality_summary(const QualitySummary& q) {
   const int elements = q.quads + q.trias;
   return fmt::format(

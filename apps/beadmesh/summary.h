@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beadmesh/bead/design_check.h"
 #include "beadmesh/flatten/cut_open.h"
 #include "beadmesh/mesh/panel_mesh.h"
 #include "beadmesh/panel/panel.h"
@@ -15,6 +16,8 @@ namespace beadmesh::app {
 /// was meshed.
 std::string bead_summary(const Panel& panel, const BeadTable& table,
                          const std::vector<BeadMeshing>& meshing = {});
+/// The table of the design check; empty where nothing was measured.
+std::string design_summary(const std::vector<BeadDesign>& designs);
 /// Counts, quality and edges, a line each.
 std::string quality_summary(const QualitySummary& quality);
 /// A line per criterion of the whole mesh, then one per part.

@@ -201,6 +201,25 @@ BeadTable recognise_beads(const Panel& panel, const BeadOptions& options, const 
   return study_panel(panel, options, options.max_loops, context).table;
 }
 
+std::vector<BeadDesign> design_of_beads(const Panel& panel, const BeadTable& table, const Context& context) {
+  const JobLimit limit(context.jobs);
+  std::vector<const Bead*> listed;
+  for (const Bead& bead : table.beads)
+    if (bead.listed) listed.push_back(&bead);
+  std::vector<BeadDesign> designs(listed.size());
+  std::atomic<int> done = 0;
+  tbb::parallel_for(size_t(0), listed.size(), [&](size_t i) {
+    designs[i].id = listed[i]->id;
+    const auto study = study_faces(panel, listed[i]->faces);
+    const auto medial = study ? medial_object_of_bead((*study)->region) : tl::unexpected(study.error());
+    if (medial) designs[i].sections = measure_sections(**study, *medial);
+    context.report("design check", double(++done) / double(listed.size()));
+  });
+  const std::vector<BeadDistances> distances = bead_distances(panel, table);
+  for (size_t i = 0; i < designs.size(); ++i) designs[i].distances = distances[i];
+  return designs;
+}
+
 Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const BeadOptions& options,
                              const Context& context) {
   const JobLimit limit(context.jobs);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadmesh/bead/bead_table.h"
+#include "beadmesh/bead/design_check.h"
 #include "beadmesh/bead/recognition.h"
 #include "beadmesh/core/context.h"
 #include "beadmesh/core/result.h"
@@ -33,6 +34,10 @@ Panel compose_faces(Panel panel, const BeadOptions& options = {}, const Context&
 
 /// Sections 3 and 4.1: every face that is a bead, with its medial object. Never fails for a single face.
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});
+
+/// The design measures of each listed bead, in the order of the table; not judged yet (judge_design).
+std::vector<BeadDesign> design_of_beads(const Panel& panel, const BeadTable& table,
+                                        const Context& context = {});
 
 /// Sections 4.2 to 5.3. Fails only where nothing could be meshed at all, or with control.*.
 Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const BeadOptions& options = {},

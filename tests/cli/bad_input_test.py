@@ -254,7 +254,17 @@ class WrongUsage(Case):
         self.refuse("--preset", "paint", names="paint")
 
     def test_mesh_without_output(self):
-        self.assert_refused("mesh", example("basic"))
+        self.assert_refused("mesh", example("basic"), names="--output")
+
+    def test_a_slip_gets_a_suggestion(self):
+        line = self.assert_refused("mash", example("basic"), names="'mash'")
+        self.assertIn("did you mean mesh?", line)
+        self.refuse("--sise", "3", names="there is no option --sise (did you mean --size?")
+        self.refuse("--colour=red", names="there is no option --colour (see beadmesh mesh --help)")
+        self.refuse("more.step", names="more.step")
+        self.assert_refused("beads", names="see beadmesh beads --help")
+        self.assert_refused(names="beadmesh mesh PANEL -o DECK")
+        self.assert_refused("--verbose", names="--verbose")
 
     def test_face_that_does_not_exist(self):
         for face in ("0", "-1", "99", "one"):

@@ -1,6 +1,7 @@
 """Many panels: manifests, what can go wrong with one of them, going on, the summary, Slurm's side."""
 import csv
 import hashlib
+import html
 import html.parser
 import json
 import os
@@ -86,11 +87,13 @@ class Manifests(BatchCase):
         (self.panels / "left").mkdir()
         (self.panels / "left" / "door.stl").write_bytes(plate())
         (self.panels / "notes.txt").write_bytes(b"no panel")
+        (self.panels / "state.stl").write_bytes(plate())
         self.out = self.panels / "out"  # results within the folder are no panels
         self.batch()
         (self.out / "panels" / "left_door" / "copy.stl").write_bytes(plate())
         self.batch()
-        self.assertEqual(["left_door", "plate_000", "plate_001"], list(self.summary()))
+        self.assertEqual(["left_door", "plate_000", "plate_001", "state_"], list(self.summary()))
+        self.assertGreater(self.summary()["state_"]["mesh"]["quads"], 0)
 
     def test_a_list_with_options(self):
         self.add_plates(1)
@@ -449,6 +452,30 @@ class Summaries(BatchCase):
         from urllib.parse import unquote
         linked = {unquote(link) for link in page.links}
         self.assertEqual({file for panel in self.summary().values() for file in panel["files"]}, linked)
+
+    def test_the_page_sorts_and_filters(self):
+        browser = shutil.which("chromium")
+        if not browser:
+            self.skipTest("not installed: chromium")
+        for name, length in (("b_small", 10), ("a_large", 60), ("c_middle", 30)):
+            (self.panels / f"{name}.stl").write_bytes(plate(length))
+        (self.panels / "broken.stl").write_bytes(b"")
+        self.batch(status=1)
+        page = (self.out / "batch.html").read_text().replace("</html>", """<script>{
+            const shown = () => [...document.querySelectorAll("tbody tr")].filter(r => !r.hidden).map(r => r.cells[0].textContent.trim());
+            const head = [...document.querySelectorAll("th button")].find(b => b.textContent === "quads");
+            const steps = [];
+            head.click(), steps.push(shown()), head.click(), steps.push(shown());
+            const outcome = document.getElementById("outcome"), text = document.getElementById("text");
+            outcome.value = "bad", outcome.dispatchEvent(new Event("change")), steps.push(shown());
+            outcome.value = "", text.value = "LARGE", text.dispatchEvent(new Event("input")), steps.push(shown());
+            document.title = JSON.stringify(steps);}</script></html>""")
+        result = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
+                                 f"--user-data-dir={self.folder / 'browser'}", "--dump-dom", str(self.file("page.html", page.encode()))],
+                                capture_output=True, text=True, timeout=TIMEOUT)
+        steps = json.loads(html.unescape(result.stdout.split("<title>")[1].split("</title>")[0]))
+        up = ["broken", "b_small", "c_middle", "a_large"]
+        self.assertEqual([up, up[::-1], ["broken"], ["a_large"]], steps)
 
     def test_the_same_bytes_for_any_number_of_workers(self):
         self.fill()

@@ -20,5 +20,18 @@ TEST(BeadCsv, JoinsFacesAndQuotesText) {
   EXPECT_NE(bead_csv(test::plate_panel(), table).find("1,I,\"a,\"\"b\"\"\",1 2,"), std::string::npos);
 }
 
+TEST(BeadCsv, DesignColumnsAreEmptyWhereThereIsNothing) {
+  BeadDesign measured;
+  measured.sections = {9, 4, 0.2, radians(45), 3.0, 0.0};
+  measured.distances = {12.5, 3, 20.0, {}};
+  measured.exceeded = {"wall_angle", "root_radius"};
+  const std::string text = bead_csv(test::plate_panel(), test::plate_table(), {measured});
+  EXPECT_NE(text.find(",medial_edges,depth,depth_to_width,wall_angle,"), std::string::npos);
+  EXPECT_NE(text.find(",1,4.0000,0.2000,45.0000,3.0000,0.0000,12.5000,3,20.0000,,wall_angle root_radius\n"),
+            std::string::npos);
+  EXPECT_NE(bead_csv(test::plate_panel(), test::plate_table(), {BeadDesign{}}).find(",1,,,,,,,,,,\n"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace beadmesh

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "batch/sha256.h"
+#include "batch/word_list.h"
 #include "beadmesh/write/whole_files.h"
 
 namespace beadmesh::app {
@@ -26,21 +27,6 @@ Result<void> make_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (!error) return {};
   return fail("write.folder", "the folder cannot be made: " + error.message(), "", folder.string());
-}
-
-/// A basic string of TOML.
-std::string toml_text(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto u = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      out += std::string("\\") + c;
-    else if (u < 0x20 || u == 0x7f)
-      out += fmt::format("\\u{:04X}", u);
-    else
-      out += c;
-  }
-  return out + '"';
 }
 
 std::string toml_list(const std::vector<std::string>& texts) {

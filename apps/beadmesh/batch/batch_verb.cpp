@@ -72,7 +72,7 @@ int conclude(const BatchPlan& plan, const std::vector<PanelState>& states, const
   const std::string title = "Batch " + options.manifest.filename().string();
   const auto written = write_summary(plan, states, title);
   if (written)
-    fmt::print("wrote {}\n", plan.folder.file("batch.html").string());
+    fmt::print("wrote {}\n", (options.out / "batch.html").string());
   else
     fmt::print(stderr, "{}\n", to_line(written.error()));
   return written && totals_of(states).all_well() ? done : fell_short;

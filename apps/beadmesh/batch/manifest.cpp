@@ -9,11 +9,9 @@
 #include <set>
 #include <sstream>
 
+#include "batch/panel_entry.h"
 #include "batch/word_list.h"
 #include "beadmesh/read/panel_reader.h"
-#include "config_file.h"
-#include "config_table.h"
-#include "options.h"
 
 namespace beadmesh::app {
 namespace {
@@ -21,42 +19,17 @@ namespace {
 namespace fs = std::filesystem;
 using Panels = std::vector<BatchPanel>;
 
-/// One layer of settings, and where it is from.
-struct Layer {
-  std::string text;
-  SettingsLayer settings;
-  std::string place;
-};
-
-std::string place_of(const fs::path& path, size_t line) {
-  return fmt::format("{}:{}", path.string(), line);
-}
-
-Result<Layer> layer_of_file(const fs::path& path) {
-  auto text = config_text(path);
-  if (!text) return tl::make_unexpected(text.error());
-  auto settings = parse_config(*text, path);
-  if (!settings) return tl::make_unexpected(settings.error());
-  return Layer{std::move(*text), std::move(*settings), path.string()};
-}
-
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
-}
-
 std::optional<Layer> layer_of_options(const SettingsLayer& given) {
   Layer layer{"", {}, "the command line"};
   const auto add = [&](const char* key, const auto& value, const auto& written) {
     if (value) layer.text += fmt::format("{} = {}\n", key, written(*value));
   };
   const auto number = [](double value) { return fmt::format("{:#}", value); };
-  add("preset", given.preset, quoted);
+  add("preset", given.preset, toml_text);
   add("size", given.size, number);
   add("min_edge", given.min_edge, number);
   add("thickness", given.thickness, number);
-  add("unit", given.unit, quoted);
+  add("unit", given.unit, toml_text);
   if (layer.text.empty()) return {};
   layer.settings = given;
   layer.settings.jobs.reset();
@@ -74,32 +47,6 @@ Result<std::vector<Layer>> common_layers(const CommonSettings& common) {
   return layers;
 }
 
-/// The layers make sense together; their texts go to the panel.
-Result<void> put_layers(const std::vector<Layer>& layers, const std::string& place, BatchPanel& panel) {
-  Settings settings;
-  const auto named = [&](Diagnostic reason) {
-    reason.entity = place;
-    return tl::make_unexpected(reason);
-  };
-  for (const Layer& layer : layers) {
-    if (auto good = apply(layer.settings, settings); !good) return named(good.error());
-    panel.settings.push_back(layer.text);
-  }
-  if (auto good = check(settings); !good) return named(good.error());
-  return {};
-}
-
-/// Letters, digits, "-", "_", "." and whatever is not ASCII; never hidden, never too long for a file system.
-std::string safe_name(const std::string& text) {
-  constexpr size_t longest = 180;
-  std::string name;
-  for (const char c : text.substr(0, longest)) {
-    const auto u = static_cast<unsigned char>(c);
-    name += std::isalnum(u) || u >= 0x80 || (c == '.' && !name.empty()) || c == '-' ? c : '_';
-  }
-  return name.empty() ? "panel" : name;
-}
-
 /// Names that are taken get a number, in the order of the panels.
 void make_names_unique(Panels& panels) {
   std::set<std::string> taken;
@@ -109,41 +56,6 @@ void make_names_unique(Panels& panels) {
       name = fmt::format("{}-{}", panel.name, number);
     panel.name = name;
   }
-}
-
-/// What the batch sets itself, and what would print instead of mesh.
-Result<void> check_words(const BatchPanel& panel, const std::string& place) {
-  for (const std::string& word : panel.options)
-    for (const std::string name :
-         {"-o", "--output", "--json", "--csv", "--report", "--jobs", "-h", "--help", "--version"})
-      if (word == name || word.rfind(name + "=", 0) == 0)
-        return fail("batch.option", fmt::format("{} cannot be set for a panel", name),
-                    "the batch sets outputs and jobs", place);
-  std::vector<std::string> words{"beadmesh", "mesh", panel.input.string(), "-o", "out.bdf"};
-  words.insert(words.end(), panel.options.begin(), panel.options.end());
-  std::vector<const char*> argv;
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  const auto options = parse_command_line(static_cast<int>(argv.size()), argv.data());
-  if (options) return {};
-  return fail("batch.option", options.error().message, options.error().hint, place);
-}
-
-/// `--config FILE` and `--config=FILE` among the words become layers.
-Result<std::vector<Layer>> take_configs(std::vector<std::string>& words, const fs::path& folder) {
-  std::vector<Layer> layers;
-  std::vector<std::string> kept;
-  for (size_t i = 0; i < words.size(); ++i) {
-    const bool joined = words[i].rfind("--config=", 0) == 0;
-    if (!joined && (words[i] != "--config" || i + 1 == words.size())) {
-      kept.push_back(words[i]);
-      continue;
-    }
-    auto layer = layer_of_file(folder / (joined ? words[i].substr(9) : words[++i]));
-    if (!layer) return tl::make_unexpected(layer.error());
-    layers.push_back(std::move(*layer));
-  }
-  words = std::move(kept);
-  return layers;
 }
 
 bool lies_below(const fs::path& path, const fs::path& folder) {
@@ -170,7 +82,7 @@ Result<Panels> of_folder(const fs::path& folder, const std::vector<Layer>& commo
     const fs::path inside = fs::relative(input, folder, error).replace_extension();
     BatchPanel& panel = panels.emplace_back();
     panel.name = safe_name(inside.string()), panel.input = fs::absolute(input);
-    if (auto put = put_layers(common, folder.string(), panel); !put) return tl::make_unexpected(put.error());
+    if (auto put = complete(panel, common, folder.string()); !put) return tl::make_unexpected(put.error());
   }
   return panels;
 }
@@ -188,8 +100,7 @@ Result<BatchPanel> of_line(const std::string& line, const fs::path& folder, cons
   auto configs = take_configs(panel.options, folder);
   if (!configs) return tl::make_unexpected(configs.error());
   for (Layer& layer : *configs) layers.push_back(std::move(layer));
-  if (auto put = put_layers(layers, place, panel); !put) return tl::make_unexpected(put.error());
-  if (auto good = check_words(panel, place); !good) return tl::make_unexpected(good.error());
+  if (auto put = complete(panel, layers, place); !put) return tl::make_unexpected(put.error());
   return panel;
 }
 
@@ -211,114 +122,6 @@ Result<Panels> of_list(const std::string& text, const fs::path& path, const std:
   return panels;
 }
 
-/// Reads a TOML manifest.
-class TomlManifest {
- public:
-  TomlManifest(const fs::path& path, const std::vector<Layer>& common) : path_(path), common_(common) {}
-
-  Result<Panels> run(toml::table& root) {
-    for (const auto& [key, node] : root)
-      if (key != "defaults" && key != "panel")
-        return fail("batch.key", fmt::format("unknown key '{}'", key.str()), "known: [defaults], [[panel]]",
-                    place(node));
-    if (root.contains("defaults")) {
-      toml::table* table = root["defaults"].as_table();
-      if (!table) return wrong("'defaults' must be a table", *root.get("defaults"));
-      if (auto taken = take_layers(*table, defaults_); !taken) return tl::make_unexpected(taken.error());
-    }
-    defaults_.insert(defaults_.end(), common_.begin(), common_.end());
-    if (!root.contains("panel")) return Panels{};
-    if (!root.get("panel")->is_array_of_tables())
-      return wrong("'panel' must be written [[panel]]", *root.get("panel"));
-    Panels panels;
-    for (toml::node& entry : *root["panel"].as_array()) {
-      auto panel = panel_of(*entry.as_table());
-      if (!panel) return tl::make_unexpected(panel.error());
-      panels.push_back(std::move(*panel));
-    }
-    return panels;
-  }
-
- private:
-  std::string place(const toml::node& node) const { return place_of(path_, node.source().begin.line); }
-
-  Failure wrong(const std::string& message, const toml::node& node) const {
-    return fail("batch.key", message, "", place(node));
-  }
-
-  /// A text or a list of texts, taken out of the table.
-  Result<std::vector<std::string>> take_texts(toml::table& table, const char* key) const {
-    std::vector<std::string> texts;
-    const toml::node* node = table.get(key);
-    if (!node) return texts;
-    const std::string message = fmt::format("'{}' must be a text or a list of texts", key);
-    if (const auto text = node->value<std::string>()) {
-      texts.push_back(*text);
-    } else {
-      if (!node->is_array()) return wrong(message, *node);
-      for (const toml::node& one : *node->as_array()) {
-        if (!one.is_string()) return wrong(message, one);
-        texts.push_back(*one.value<std::string>());
-      }
-    }
-    table.erase(key);
-    return texts;
-  }
-
-  /// Its `config` files, then its other keys.
-  Result<void> take_layers(toml::table& table, std::vector<Layer>& layers) const {
-    const std::string at = place(table);
-    const auto configs = take_texts(table, "config");
-    if (!configs) return tl::make_unexpected(configs.error());
-    for (const std::string& name : *configs) {
-      auto layer = layer_of_file(path_.parent_path() / name);
-      if (!layer) return tl::make_unexpected(layer.error());
-      layers.push_back(std::move(*layer));
-    }
-    if (table.empty()) return {};
-    auto settings = settings_of_table(table, path_);
-    if (!settings) return tl::make_unexpected(settings.error());
-    if (settings->jobs)
-      return fail("batch.option", "jobs cannot be set in a manifest", "use --jobs and --threads", at);
-    std::ostringstream text;
-    text << table << '\n';
-    layers.push_back({text.str(), std::move(*settings), at});
-    return {};
-  }
-
-  Result<BatchPanel> panel_of(toml::table& table) const {
-    const std::string at = place(table);
-    const auto inputs = take_texts(table, "input");
-    if (!inputs) return tl::make_unexpected(inputs.error());
-    if (inputs->size() != 1 || inputs->front().empty())
-      return fail("batch.key", "a [[panel]] needs one 'input'", "", at);
-    const auto names = take_texts(table, "name");
-    if (!names) return tl::make_unexpected(names.error());
-    auto options = take_texts(table, "options");
-    if (!options) return tl::make_unexpected(options.error());
-
-    BatchPanel panel;
-    panel.input = fs::absolute(path_.parent_path() / inputs->front()).lexically_normal();
-    panel.name = names->empty() ? safe_name(panel.input.stem().string()) : names->front();
-    if (panel.name != safe_name(panel.name))
-      return fail("batch.name", fmt::format("'{}' cannot be the name of a folder here", panel.name),
-                  "use letters, digits, - and _", at);
-    panel.options = std::move(*options);
-    std::vector<Layer> layers = defaults_;
-    if (auto taken = take_layers(table, layers); !taken) return tl::make_unexpected(taken.error());
-    auto more = take_configs(panel.options, path_.parent_path());
-    if (!more) return tl::make_unexpected(more.error());
-    for (Layer& layer : *more) layers.push_back(std::move(layer));
-    if (auto put = put_layers(layers, at, panel); !put) return tl::make_unexpected(put.error());
-    if (auto good = check_words(panel, at); !good) return tl::make_unexpected(good.error());
-    return panel;
-  }
-
-  const fs::path& path_;
-  const std::vector<Layer>& common_;
-  std::vector<Layer> defaults_;
-};
-
 Result<Panels> of_file(const fs::path& path, const std::vector<Layer>& common) {
   std::ifstream in(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -331,13 +134,7 @@ Result<Panels> of_file(const fs::path& path, const std::vector<Layer>& common) {
       return fail("batch.list", "this is a panel, not a manifest", "use beadmesh mesh", path.string());
     return of_list(text, path, common);
   }
-  try {
-    toml::table root = toml::parse(text);
-    return TomlManifest(path, common).run(root);
-  } catch (const toml::parse_error& problem) {
-    return fail("batch.syntax", std::string(problem.description()), "",
-                place_of(path, problem.source().begin.line));
-  }
+  return panels_of_toml(text, path, common);
 }
 
 }  // namespace

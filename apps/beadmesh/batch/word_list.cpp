@@ -1,5 +1,7 @@
 #include "batch/word_list.h"
 
+#include <fmt/format.h>
+
 namespace beadmesh::app {
 namespace {
 
@@ -48,6 +50,20 @@ std::string shell_line(const std::vector<std::string>& words) {
     line += '\'';
   }
   return line;
+}
+
+std::string toml_text(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto u = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      out += std::string("\\") + c;
+    else if (u < 0x20 || u == 0x7f)
+      out += fmt::format("\\u{:04X}", u);
+    else
+      out += c;
+  }
+  return out + '"';
 }
 
 }  // namespace beadmesh::app

@@ -1,4 +1,4 @@
-// A line of words as in a shell: spaces part them, quotes keep them together.
+// Words of a line as in a shell, and texts quoted for a shell and for TOML.
 #pragma once
 
 #include <optional>
@@ -14,5 +14,8 @@ std::optional<std::vector<std::string>> words_of(std::string_view line);
 
 /// The words as a line that a shell reads as these words.
 std::string shell_line(const std::vector<std::string>& words);
+
+/// The text as a basic string of TOML, with its quotes.
+std::string toml_text(const std::string& text);
 
 }  // namespace beadmesh::app

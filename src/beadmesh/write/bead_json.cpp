@@ -82,11 +82,33 @@ Value parts_of(const Panel& panel) {
   return list;
 }
 
-std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh* mesh) {
+Value number_or_null(const std::optional<double>& value) {
+  return value ? number(*value) : Value();
+}
+
+Value design_of(const BeadDesign& design) {
+  const SectionMeasures& s = design.sections;
+  const auto where_measured = [&](double value) { return s.sections ? number(value) : Value(); };
+  return {{"sections", s.sections},
+          {"depth", where_measured(s.depth)},
+          {"depth_to_width", where_measured(s.depth_to_width)},
+          {"wall_angle", where_measured(degrees(s.wall_angle))},
+          {"crown_radius", number_or_null(s.crown_radius)},
+          {"root_radius", number_or_null(s.root_radius)},
+          {"bead_distance", number_or_null(design.distances.bead)},
+          {"nearest_bead", design.distances.bead ? Value(design.distances.nearest_bead) : Value()},
+          {"rim_distance", number_or_null(design.distances.rim)},
+          {"hole_distance", number_or_null(design.distances.hole)},
+          {"exceeded", design.exceeded}};
+}
+
+std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh* mesh,
+                    const std::vector<BeadDesign>& designs = {}) {
   Value beads = Value::array(), rejected = Value::array();
   for (size_t i = 0; i < table.beads.size(); ++i) {
     Value row = row_of(panel, table.beads[i]);
     if (mesh && i < mesh->meshing.size()) row["mesh"] = meshing_of(mesh->meshing[i]);
+    if (i < designs.size()) row["design"] = design_of(designs[i]);
     beads.push_back(std::move(row));
   }
   for (const RejectedFace& face : table.faces_not_beads)
@@ -112,6 +134,10 @@ std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh*
 
 std::string bead_json(const Panel& panel, const BeadTable& table) {
   return text_of(panel, table, nullptr);
+}
+
+std::string bead_json(const Panel& panel, const BeadTable& table, const std::vector<BeadDesign>& designs) {
+  return text_of(panel, table, nullptr, designs);
 }
 
 std::string bead_json(const Panel& panel, const PanelMesh& mesh) {

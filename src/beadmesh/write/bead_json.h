@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "beadmesh/bead/bead_table.h"
+#include "beadmesh/bead/design_check.h"
 #include "beadmesh/mesh/panel_mesh.h"
 #include "beadmesh/panel/panel.h"
 
@@ -11,6 +13,8 @@ namespace beadmesh {
 
 /// Lengths in mm, faces by their 1-based numbers in the file, angles in degrees.
 std::string bead_json(const Panel& panel, const BeadTable& table);
+/// The same with an object `design` for each bead; of each bead of the table, or none.
+std::string bead_json(const Panel& panel, const BeadTable& table, const std::vector<BeadDesign>& designs);
 /// The same with how each bead was meshed and the quality of the mesh.
 std::string bead_json(const Panel& panel, const PanelMesh& mesh);
 
