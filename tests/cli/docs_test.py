@@ -18,9 +18,7 @@ def commands_of(page):
     for line in page.read_text().splitlines():
         if line.startswith("    $ "):
             commands.append((line[6:], []))
-        elif line.startswith("    ") and commands and commands[-1][0].endswith("\\"):
-            commands[-1] = commands[-1][0][:-1] + line.strip(), []
-        elif line.startswith("    ") and commands and commands[-1] is not None:
+        elif line.startswith("    ") and commands and commands[-1]:
             commands[-1][1].append(line[4:])
         else:
             commands.append(None)  # the block is over
@@ -53,16 +51,17 @@ class Pages(Case):
             self.file(command[4:], "\n".join(expected).encode() + b"\n")  # a file that the reader is to write
             return
         result = subprocess.run(command, shell=True, cwd=self.folder, env=self.environment, text=True, timeout=TIMEOUT,
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        printed = result.stdout.splitlines()
+                                capture_output=True)
+        whole = result.stdout + result.stderr
+        printed = whole.splitlines()
         expects_error = any(line.startswith("error ") for line in expected)
-        self.assertEqual(expects_error, result.returncode == 2, result.stdout)
-        self.assertLess(result.returncode, 3, result.stdout)
+        self.assertEqual(expects_error, result.returncode == 2, whole)
+        self.assertLess(result.returncode, 3, whole)
         left = [stable(line) for line in printed]
         for line in filter(str.strip, expected):
             if line.strip() == "...":
                 continue
-            self.assertIn(stable(line), left, result.stdout)
+            self.assertIn(stable(line), left, whole)
             left = left[left.index(stable(line)) + 1:]
         for line in expected:  # how many beads there are, and of which kinds, is no figure that may drift
             if re.search(r" beads? \(", line):

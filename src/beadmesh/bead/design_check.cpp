@@ -10,7 +10,7 @@ namespace {
 constexpr int samples = 160;                // of a section
 constexpr int reach = 2;                    // samples on both sides for a curvature
 constexpr int most_sections = 40;           // of a medial edge
-constexpr double across = radians(173);     // touching lines that are more oblique are left out
+constexpr double across = radians(165);     // touching lines that are more oblique are left out
 constexpr double sharp_root = radians(12);  // a steeper beginning has no root fillet
 constexpr double straight = 1e-4;           // 1/mm: less curvature is none
 
@@ -82,7 +82,7 @@ bool near_an_end(const MedialObject& medial, const MedialEdge& edge, const Media
   for (const Index v : {edge.start, edge.end}) {
     if (v == no_index) continue;
     const MedialVertex& vertex = medial.vertices[v];
-    const double kept_off = vertex.type == MedialVertexType::J ? 1.0 : 0.25;
+    const double kept_off = vertex.type == MedialVertexType::J ? 1.0 : 0.1;
     if (distance(point.point, vertex.point) < kept_off * vertex.radius) return true;
   }
   return false;
