@@ -6,7 +6,6 @@
 #include <charconv>
 #include <iostream>
 
-#include "beadmesh/core/version.h"
 #include "beadmesh/write/deck.h"
 #include "config_file.h"
 #include "control_text.h"
