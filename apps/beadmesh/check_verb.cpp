@@ -10,7 +10,7 @@
 
 #include "beadmesh/mesh/criteria_text.h"
 #include "beadmesh/mesh/element_quality.h"
-#include "beadmesh/read/nastran_reader.h"
+#include "beadmesh/read/shell_deck_file.h"
 #include "beadmesh/write/quality_json.h"
 #include "outputs.h"
 #include "summary.h"
@@ -68,7 +68,7 @@ JudgedMesh judged_mesh(const ShellDeck& deck, const QualityCriteria& criteria) {
 Result<int> run_check(const Options& options) {
   const auto criteria = criteria_asked_for(options);
   if (!criteria) return tl::make_unexpected(criteria.error());
-  const auto deck = read_nastran(options.input);
+  const auto deck = read_shell_deck(options.input);
   if (!deck) return tl::make_unexpected(deck.error());
   const double size = options.has_size ? options.settings.sizes.size : 0;
   const double min_edge = options.has_min_edge ? options.settings.sizes.min_edge : 0;

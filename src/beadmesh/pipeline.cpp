@@ -54,10 +54,12 @@ FaceOutcome study_one(const Panel& panel, Index face, const BeadOptions& options
   }
   out.medial = std::make_unique<MedialObject>(std::move(*medial));
   auto bead = recognise(*out.study, *out.medial, options);
-  if (bead)
+  if (bead) {
     out.bead = std::move(*bead);
-  else
+    out.bead->confidence = panel.faces[face].confidence;
+  } else {
     out.reason = bead.error().message;
+  }
   return out;
 }
 
@@ -185,6 +187,7 @@ class JobLimit {
 }  // namespace
 
 Panel compose_faces(Panel panel, const BeadOptions& options, const Context& context) {
+  if (panel.is_facetted) return panel;
   const JobLimit limit(context.jobs);
   CompositeOptions composite;
   composite.bead = options;

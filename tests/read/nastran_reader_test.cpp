@@ -1,4 +1,5 @@
 #include "beadmesh/read/nastran_reader.h"
+#include "beadmesh/read/shell_deck_file.h"
 
 #include <gtest/gtest.h>
 
@@ -77,8 +78,8 @@ TEST(NastranReader, EveryCutOfADeckIsAnAnswerNotACrash) {
 }
 
 TEST(NastranReader, FilesAreNamed) {
-  EXPECT_EQ(read_nastran("no/such/file.bdf").error().code, "read.not_found");
-  EXPECT_EQ(read_nastran(".").error().code, "read.directory");
+  EXPECT_EQ(read_shell_deck("no/such/file.bdf").error().code, "read.not_found");
+  EXPECT_EQ(read_shell_deck(".").error().code, "read.directory");
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // The sheet around a feature, continued under it.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
+#include "beadmesh/geometry/quadratic_sheet.h"
 #include "beadmesh/panel/facets.h"
 
 namespace beadmesh {
@@ -20,11 +20,7 @@ class ContinuedSheet {
   Vec3 normal(Vec3 point) const;
 
  private:
-  Vec2 plan(Vec3 point) const;
-
-  Vec3 origin_, x_, y_, up_;
-  double scale_ = 1;                      ///< half the loop's extent, mm
-  std::array<double, 6> coefficients_{};  ///< of 1, x, y, xx, xy, yy in units of scale
+  QuadraticSheet sheet_;
 };
 
 }  // namespace beadmesh

@@ -41,6 +41,7 @@ struct EdgeUse {
 
 struct PanelFace {
   std::vector<std::vector<EdgeUse>> loops;  ///< head to tail, face on the left; the outer loop first
+  double confidence = 1;       ///< that it is what it seems: 1 from CAD, less where facets are coarse or noisy
   Facets facets;               ///< of this face alone: facets.loops[i] runs through the points of loops[i]
   Index number = 0;            ///< 1-based, in the order of the input file; of a composite face its first
   std::vector<Index> numbers;  ///< of a composite face those of all its faces, ascending; else empty
@@ -65,6 +66,7 @@ struct Panel {
   std::string input;                    ///< file name, for reports
   std::string unit = "mm";              ///< unit of the file; coordinates are converted to mm
   std::vector<Diagnostic> diagnostics;  ///< what the reader mended or left out
+  bool is_facetted = false;  ///< from facets alone: the reader has cut it into sheet and features already
 };
 
 /// Joins the facets of connected faces into one piece (a composite face); its loops are those edges that have

@@ -1,10 +1,8 @@
 // Inside the read room: loose triangles become a panel.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "beadmesh/panel/panel.h"
+#include "beadmesh/read/facet_mesh.h"
 
 namespace beadmesh {
 
@@ -12,6 +10,6 @@ namespace beadmesh {
 /// in which neighbours turn by at most `feature_angle` (radians). Edges run between regions and along free or
 /// branching borders, from one point where more than two such lines meet, or where they turn sharply, to the
 /// next.
-Panel panel_of_facets(const std::vector<std::array<Vec3, 3>>& facets, double feature_angle);
+Panel panel_of_facets(const LooseFacets& facets, double feature_angle);
 
 }  // namespace beadmesh

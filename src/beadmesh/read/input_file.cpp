@@ -1,7 +1,6 @@
 #include "beadmesh/read/input_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
 #include <utility>
@@ -13,12 +12,12 @@ namespace {
 
 constexpr std::streamoff window = 4096;
 
-constexpr std::array<std::pair<std::string_view, FileKind>, 6> endings{{{".step", FileKind::step},
-                                                                        {".stp", FileKind::step},
-                                                                        {".igs", FileKind::iges},
-                                                                        {".iges", FileKind::iges},
-                                                                        {".brep", FileKind::brep},
-                                                                        {".stl", FileKind::stl}}};
+constexpr std::pair<std::string_view, FileKind> endings[]{
+    {".step", FileKind::step},  {".stp", FileKind::step},   {".igs", FileKind::iges},
+    {".iges", FileKind::iges},  {".brep", FileKind::brep},  {".stl", FileKind::stl},
+    {".obj", FileKind::obj},    {".ply", FileKind::ply},    {".bdf", FileKind::shells},
+    {".nas", FileKind::shells}, {".dat", FileKind::shells}, {".k", FileKind::shells},
+    {".key", FileKind::shells}, {".dyn", FileKind::shells}, {".inp", FileKind::shells}};
 
 std::optional<FileKind> kind_of_ending(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -60,8 +59,10 @@ Result<FileKind> check_input_file(const std::filesystem::path& path) {
     return fail("read.directory", "this is a directory, not a file", {}, name);
   const std::optional<FileKind> kind = kind_of_ending(path);
   if (!kind)
-    return fail("read.ending", "the ending '" + path.extension().string() + "' is unknown",
-                "use .step, .stp, .igs, .iges, .brep or .stl", name);
+    return fail(
+        "read.ending", "the ending '" + path.extension().string() + "' is unknown",
+        "use .step, .stp, .igs, .iges, .brep, .stl, .obj, .ply, .bdf, .nas, .dat, .k, .key, .dyn or .inp",
+        name);
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0)
     return fail("read.empty", "the file is empty", {}, name);
   if (!std::ifstream(path))

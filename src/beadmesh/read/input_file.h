@@ -10,7 +10,7 @@
 
 namespace beadmesh {
 
-enum class FileKind { step, iges, brep, stl };
+enum class FileKind { step, iges, brep, stl, obj, ply, shells };
 
 /// By the ending, in any case. Call only on paths that check_input_file has accepted.
 FileKind file_kind(const std::filesystem::path& path);

@@ -1,14 +1,10 @@
 #include "beadmesh/read/nastran_reader.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
-#include <unordered_map>
+
+#include "beadmesh/read/shell_deck_builder.h"
 
 namespace beadmesh {
 namespace {
@@ -19,20 +15,6 @@ struct Card {
   std::vector<std::string_view> fields;
   int line = 0;
 };
-
-std::string_view trimmed(std::string_view text) {
-  const auto is_blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return std::toupper(c); });
-  return result;
-}
 
 /// The first field apart, the data fields of the line appended; the last column (continuation mark) is left
 /// out.
@@ -62,43 +44,6 @@ bool continues(std::string_view head) {
   return head.empty() || head.front() == '+' || head.front() == '*';
 }
 
-/// "12", blank: `otherwise`.
-std::optional<Index> integer(std::string_view text, std::optional<Index> otherwise = std::nullopt) {
-  if (text.empty()) return otherwise;
-  if (text.front() == '+') text.remove_prefix(1);
-  Index value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// "1.5", "1.5E+2", "1.5D2", "1.5+2"; blank is 0.
-std::optional<double> real(std::string_view text) {
-  if (text.empty()) return 0.0;
-  std::string plain;
-  for (size_t i = text.front() == '+' ? 1 : 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const bool after_exponent = !plain.empty() && plain.back() == 'e';
-    if (c == 'e' || c == 'E' || c == 'd' || c == 'D') {
-      plain += 'e';
-    } else if ((c == '+' || c == '-') && !plain.empty()) {
-      if (!after_exponent) plain += 'e';
-      if (c == '-') plain += '-';
-    } else {
-      plain += c;
-    }
-  }
-  double value = 0;
-  const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-  if (error != std::errc() || end != plain.data() + plain.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
-std::string at_line(int line) {
-  return "line " + std::to_string(line);
-}
-
 Failure bad_card(const Card& card, const char* what) {
   return fail("read.nastran.card", card.name + " " + what, "", at_line(card.line));
 }
@@ -109,81 +54,64 @@ class DeckBuilder {
     if (card.name == "GRID") return take_node(card);
     if (card.name == "CQUAD4" || card.name == "CQUADR") return take_shell(card, 4);
     if (card.name == "CTRIA3" || card.name == "CTRIAR") return take_shell(card, 3);
+    if (card.name == "PSHELL") return take_property(card);
     if (card.name == "INCLUDE")
       return fail("read.nastran.include", "INCLUDE is not followed", "put the deck into one file",
                   at_line(card.line));
     return {};
   }
 
-  /// Node ids become indices.
-  Result<ShellDeck> deck() {
-    if (deck_.elements.empty())
-      return fail("read.nastran.empty", "the deck has no shells", "CQUAD4 and CTRIA3 are read");
-    for (size_t e = 0; e < deck_.elements.size(); ++e)
-      for (Index& node : deck_.elements[e]) {
-        if (node == no_index) continue;
-        const auto found = row_.find(node);
-        if (found == row_.end())
-          return fail("read.nastran.node", "node " + std::to_string(node) + " of a shell is not in the deck",
-                      "", at_line(lines_[e]));
-        node = found->second;
-      }
-    return std::move(deck_);
-  }
+  Result<ShellDeck> deck() { return builder_.finish("CQUAD4 and CTRIA3 are read"); }
 
  private:
   Result<void> take_node(const Card& card) {
     if (card.fields.size() < 5) return bad_card(card, "is too short");
-    const auto id = integer(card.fields[0]), system = integer(card.fields[1], 0);
-    const auto x = real(card.fields[2]), y = real(card.fields[3]), z = real(card.fields[4]);
+    const auto id = deck_integer(card.fields[0]), system = deck_integer(card.fields[1], 0);
+    const auto x = deck_real(card.fields[2]), y = deck_real(card.fields[3]), z = deck_real(card.fields[4]);
     if (!id || *id < 1 || !system || !x || !y || !z) return bad_card(card, "cannot be read");
     if (*system != 0)
       return fail("read.nastran.system",
                   "node " + std::to_string(*id) + " lies in coordinate system " + std::to_string(*system),
                   "export in the basic system", at_line(card.line));
-    if (!row_.emplace(*id, static_cast<Index>(deck_.points.size())).second)
-      return fail("read.nastran.node", "node " + std::to_string(*id) + " is defined twice", "",
-                  at_line(card.line));
-    deck_.points.push_back({*x, *y, *z});
-    deck_.node_ids.push_back(*id);
-    return {};
+    return builder_.add_node(*id, {*x, *y, *z}, card.line);
   }
 
   Result<void> take_shell(const Card& card, size_t corners) {
     if (card.fields.size() < 2 + corners) return bad_card(card, "is too short");
-    const auto id = integer(card.fields[0]), property = integer(card.fields[1], integer(card.fields[0]));
+    const auto id = deck_integer(card.fields[0]),
+               property = deck_integer(card.fields[1], deck_integer(card.fields[0]));
     if (!id || !property) return bad_card(card, "cannot be read");
     std::array<Index, 4> nodes{no_index, no_index, no_index, no_index};
     for (size_t k = 0; k < corners; ++k) {
-      const auto node = integer(card.fields[2 + k]);
+      const auto node = deck_integer(card.fields[2 + k]);
       if (!node || *node < 1) return bad_card(card, "cannot be read");
       nodes[k] = *node;
     }
-    deck_.elements.push_back(nodes);
-    deck_.properties.push_back(*property);
-    lines_.push_back(card.line);
+    builder_.add_shell(*property, nodes, card.line);
     return {};
   }
 
-  ShellDeck deck_;
-  std::unordered_map<Index, Index> row_;
-  std::vector<int> lines_;
+  /// Shells of a property that cannot be read are still shells.
+  Result<void> take_property(const Card& card) {
+    const auto field = [&](size_t i) { return i < card.fields.size() ? card.fields[i] : std::string_view{}; };
+    const auto id = deck_integer(field(0)), material = deck_integer(field(1), 0);
+    const auto thickness = deck_real(field(2));
+    if (id && material && thickness && *thickness >= 0)
+      builder_.add_property({*id, {}, *thickness, *material});
+    return {};
+  }
+
+  ShellDeckBuilder builder_{"read.nastran"};
 };
 
 /// Executive and case control are passed over where there are any.
 size_t start_of_bulk(std::string_view text) {
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size());
-    if (upper(trimmed(text.substr(at, end - at))).rfind("BEGIN", 0) == 0) return end;
+    if (upper_case(trimmed(text.substr(at, end - at))).rfind("BEGIN", 0) == 0) return end;
     at = end + 1;
   }
   return 0;
-}
-
-std::string extension_of(const std::filesystem::path& path) {
-  std::string text = path.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
 }
 
 }  // namespace
@@ -207,34 +135,12 @@ Result<ShellDeck> parse_nastran(std::string_view text) {
       continue;
     }
     if (auto taken = builder.take(card); !taken) return tl::make_unexpected(taken.error());
-    const std::string name = upper(head.substr(0, std::min(head.find('*'), head.find(' '))));
+    const std::string name = upper_case(head.substr(0, std::min(head.find('*'), head.find(' '))));
     card = {name, std::move(fields), line_number};
     if (name == "ENDDATA") break;
   }
   if (auto taken = builder.take(card); !taken) return tl::make_unexpected(taken.error());
   return builder.deck();
-}
-
-Result<ShellDeck> read_nastran(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    return fail("read.not_found", "there is no such file", "", path.string());
-  if (std::filesystem::is_directory(path, error))
-    return fail("read.directory", "is a folder", "give a file", path.string());
-  const std::string extension = extension_of(path);
-  if (extension != ".bdf" && extension != ".nas" && extension != ".dat")
-    return fail("read.ending", extension.empty() ? "has no ending" : "unknown ending " + extension,
-                "known: .bdf .nas .dat", path.string());
-  std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) return fail("read.unreadable", "the file cannot be read", "", path.string());
-  auto deck = parse_nastran(text);
-  if (!deck) {
-    Diagnostic problem = deck.error();
-    problem.entity = path.string() + (problem.entity.empty() ? "" : ", " + problem.entity);
-    return tl::make_unexpected(std::move(problem));
-  }
-  return deck;
 }
 
 }  // namespace beadmesh

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "beadmesh/read/facet_skin.h"
-#include "beadmesh/read/input_file.h"
+#include "beadmesh/read/words.h"
 
 namespace beadmesh {
 namespace {
@@ -52,30 +47,6 @@ Result<std::vector<Corners>> parse_binary(const std::string& bytes, const std::s
   return result;
 }
 
-class Words {
- public:
-  explicit Words(std::string_view text) : text_(text) {}
-  std::string_view next() {
-    const auto is_space = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
-    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
-    const std::size_t start = at_;
-    while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
-    return text_.substr(start, at_ - start);
-  }
-  std::optional<double> number() {
-    std::string_view word = next();
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) return {};
-    return value;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t at_ = 0;
-};
-
 Result<std::vector<Corners>> parse_ascii(const std::string& bytes, const std::string& name) {
   std::vector<Corners> result;
   std::vector<Vec3> corners;
@@ -106,28 +77,10 @@ Result<std::vector<Corners>> parse_ascii(const std::string& bytes, const std::st
 
 }  // namespace
 
-Result<Panel> read_stl_panel(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string name = path.filename().string();
-  const std::optional<double> factor = millimetres_per(options.unit);
-  if (!factor)
-    return fail("read.unit", "the unit '" + options.unit + "' is unknown", "use mm, cm, m, um, in or ft",
-                name);
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  Result<std::vector<Corners>> facets =
-      is_binary(bytes) ? parse_binary(bytes, name) : parse_ascii(bytes, name);
-  if (!facets) return Failure(facets.error());
-  for (Corners& corners : *facets)
-    for (Vec3& p : corners) {
-      p = p * *factor;
-      if (!std::isfinite(p.x + p.y + p.z))
-        return fail("read.unreadable", "a facet has a corner that is not finite", {}, name);
-    }
-  Panel panel = panel_of_facets(*facets, options.feature_angle);
-  if (panel.faces.empty()) return fail("read.no_faces", "the file has no facets", {}, name);
-  panel.input = name;
-  panel.unit = options.unit;
-  return panel;
+Result<LooseFacets> parse_stl(const std::string& bytes, const std::string& name) {
+  auto corners = is_binary(bytes) ? parse_binary(bytes, name) : parse_ascii(bytes, name);
+  if (!corners) return Failure(corners.error());
+  return LooseFacets{std::move(*corners), {}};
 }
 
 }  // namespace beadmesh

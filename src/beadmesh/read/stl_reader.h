@@ -1,14 +1,14 @@
 // Inside the read room: STL, ASCII and binary.
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 #include "beadmesh/core/result.h"
-#include "beadmesh/read/panel_reader.h"
+#include "beadmesh/read/facet_mesh.h"
 
 namespace beadmesh {
 
-/// Welds the corners, orients, and splits the skin into one face per smooth region. Faces have no evaluators.
-Result<Panel> read_stl_panel(const std::filesystem::path& path, const ReadOptions& options);
+/// Facets of a file's bytes, in its unit. Fails with read.truncated, read.unreadable; `name` is the entity.
+Result<LooseFacets> parse_stl(const std::string& bytes, const std::string& name);
 
 }  // namespace beadmesh

@@ -40,6 +40,7 @@ Value row_of(const Panel& panel, const Bead& bead) {
           {"width", number(bead.width)},
           {"height", number(bead.height)},
           {"aspect_ratio", number(bead.aspect_ratio)},
+          {"confidence", number(bead.confidence)},
           {"junctions", bead.junctions},
           {"ends", bead.ends},
           {"medial_edges", bead.medial_edges},
