@@ -42,6 +42,10 @@ FaceOutcome study_one(const Panel& panel, Index face, const BeadOptions& options
     return out;
   }
   out.study = std::move(*study);
+  if (panel.is_facetted && !(panel.faces[face].confidence > 0)) {
+    out.reason = "it is no feature of a sheet around it";
+    return out;
+  }
   if (const auto boundary = check_boundary(*out.study, options); !boundary) {
     out.reason = boundary.error().message;
     return out;

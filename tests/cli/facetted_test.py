@@ -102,7 +102,7 @@ class FacettedCase(Case):
         self.assertEqual(0, result.returncode, result.stderr)
         return json.loads(result.stdout)["beads"]
 
-    def check(self, name, content, *arguments, delta=0.12):
+    def check(self, name, content, *arguments, delta=0.12, highest=5.0):
         """The bead and the ring of `two_beads`."""
         found = self.beads(name, content, *arguments)
         self.assertEqual(["I", "annular"], sorted(bead["kind"] for bead in found))
@@ -110,7 +110,7 @@ class FacettedCase(Case):
             length = 80 if bead["kind"] == "I" else 2 * math.pi * 26
             self.assertAlmostEqual(1, bead["length"] / length, delta=delta)
             self.assertAlmostEqual(1, bead["width"] / 18, delta=1.3 * delta)
-            self.assertAlmostEqual(1, bead["height"] / 5, delta=0.2)
+            self.assertAlmostEqual(1, bead["height"] / highest, delta=0.2)
             self.assertTrue(0 < bead["confidence"] <= 1)
         return found
 
@@ -129,13 +129,14 @@ class FacettedPanels(FacettedCase):
             self.check("panel.ply", ply(grid, form))
 
     def test_shell_decks(self):
-        grid = Grid(two_beads, step=2)
+        grid = Grid(two_beads)
         self.check("panel.bdf", nastran(grid))
         self.check("panel.k", lsdyna(grid))
         self.check("panel.inp", abaqus(grid))
 
     def test_coarse_shells(self):
-        self.check("panel.bdf", nastran(Grid(two_beads, step=4)), delta=0.2)
+        grid = Grid(two_beads, step=4)  # no node lies on the crest
+        self.check("panel.bdf", nastran(grid), delta=0.2, highest=max(z for _, _, z in grid.points))
 
     def test_curved_sheet(self):
         self.check("panel.stl", binary_stl(Grid(lambda x, y: two_beads(x, y) - x * x / 1200 + y * y / 3000)))

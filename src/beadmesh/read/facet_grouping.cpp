@@ -195,7 +195,9 @@ class FacetGrouper {
       Triangles found{seed};
       for (size_t i = 0; i < found.size(); ++i)
         for (Index h = 3 * found[i]; h < 3 * found[i] + 3; ++h) {
-          if (!is_joined(h) || face_[mesh_.partner[h] / 3] != no_index || is_sharp(h)) continue;
+          if (!is_joined(h) || face_[mesh_.partner[h] / 3] != no_index ||
+              mesh_.turn(h) > options_.feature_angle)
+            continue;
           face_[mesh_.partner[h] / 3] = face;
           found.push_back(mesh_.partner[h] / 3);
         }

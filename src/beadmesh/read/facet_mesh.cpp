@@ -162,8 +162,7 @@ class FacetWelder {
            {}});
     pair_half_edges();
     for (Index h = 0; h < 3 * mesh_.triangle_count(); ++h)
-      if (mesh_.partner[h] != no_index &&
-          mesh_.tail(h) == mesh_.tail(mesh_.partner[h]))  // no orientation: cut there
+      if (mesh_.partner[h] != no_index && mesh_.tail(h) == mesh_.tail(mesh_.partner[h]))
         mesh_.partner[mesh_.partner[h]] = no_index, mesh_.partner[h] = no_index;
   }
 

@@ -10,6 +10,7 @@
 
 #include "beadmesh/read/facet_curve.h"
 #include "beadmesh/read/facet_grouping.h"
+#include "beadmesh/read/feature_confidence.h"
 #include "beadmesh/read/outline_straightening.h"
 #include "beadmesh/read/part_lines.h"
 #include "beadmesh/read/sheet_band.h"
@@ -22,6 +23,7 @@ constexpr double coarse_corner = radians(65);
 /// Outlines run along facet edges and have teeth.
 constexpr double outline_corner = radians(65);
 constexpr double corner_reach = 3;  // mm
+constexpr double unsure = 0.4;      // confidence that is worth a note
 
 class SkinBuilder {
  public:
@@ -37,13 +39,14 @@ class SkinBuilder {
     FacetGroups groups = group_facets(mesh_, grow_sheets(mesh_), options);
     straighten_outlines(mesh_, groups);
     panel_.points = mesh_.points;
+    const std::vector<double> sure = confidences(mesh_, groups);
     face_ = std::move(groups.face);
-    is_feature_ = std::move(groups.is_feature);
+    is_feature_ = groups.is_feature;
     mark_lines();
     const std::vector<Index> parts = parts_of_faces(mesh_, face_);
     std::vector<std::vector<Triangle>> faces(parts.size());
     for (Index t = 0; t < mesh_.triangle_count(); ++t) faces[face_[t]].push_back(mesh_.triangles[t]);
-    for (std::size_t f = 0; f < faces.size(); ++f) add_face(faces[f], parts[f]);
+    for (std::size_t f = 0; f < faces.size(); ++f) add_face(faces[f], parts[f], sure[f]);
     return std::move(panel_);
   }
 
@@ -91,14 +94,23 @@ class SkinBuilder {
     return panel_.points[next] - panel_.points[from];
   }
 
-  void add_face(const std::vector<Triangle>& triangles, Index part) {
+  void add_face(const std::vector<Triangle>& triangles, Index part, double confidence) {
     PanelFace face;
     face.part = part;
+    face.confidence = confidence;
     face.facets = facets_of_triangles(panel_.points, triangles);
     const Index id = static_cast<Index>(panel_.faces.size());
     face.number = id + 1;
     face.facets.triangle_surface.assign(triangles.size(), 0);
     for (std::vector<Index>& loop : face.facets.loops) face.loops.push_back(edges_of(loop, face.facets, id));
+    if (confidence > 0 && confidence < unsure)
+      panel_.diagnostics.push_back({"read.unsure",
+                                    Severity::note,
+                                    face.number,
+                                    {},
+                                    "this feature stands out from its sheet with a confidence of " +
+                                        std::to_string(int(100 * confidence)) + " % only",
+                                    "finer facets tell more"});
     panel_.faces.push_back(std::move(face));
   }
 

@@ -43,7 +43,8 @@ std::string bytes(const std::filesystem::path& path, bool from_end) {
 }  // namespace
 
 bool has_panel_ending(const std::filesystem::path& path) {
-  return kind_of_ending(path).has_value();
+  const auto kind = kind_of_ending(path);
+  return kind && *kind != FileKind::shells;  // decks stand in the same folders as results
 }
 
 FileKind file_kind(const std::filesystem::path& path) {

@@ -7,6 +7,8 @@
 namespace beadmesh {
 namespace {
 
+constexpr int fairing_rounds = 40;
+
 /// Facets of uncertain side.
 class ToothRemover {
  public:
@@ -141,7 +143,7 @@ class OutlineFairer {
 
   /// Two steps, one that smooths and one that swells again.
   void fair(const std::vector<Index>& line) {
-    for (int round = 0; round < 40; ++round)
+    for (int round = 0; round < fairing_rounds; ++round)
       for (const double step : {0.5, -0.526}) {
         std::vector<Vec3> to;
         const std::size_t n = line.size();

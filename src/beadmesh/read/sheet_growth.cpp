@@ -13,8 +13,7 @@ class SheetGrower {
       : mesh_(mesh),
         options_(options),
         patch_(mesh.triangles.size(), no_index),
-        direction_(mesh.triangles.size()),
-        lean_(mesh.triangles.size(), 0) {}
+        direction_(mesh.triangles.size()) {}
 
   std::vector<Index> run() {
     for (const Index seed : seeds())
@@ -72,7 +71,6 @@ class SheetGrower {
       if (patch_[step.triangle] != no_index) continue;
       patch_[step.triangle] = number;
       direction_[step.triangle] = direction_after(step);
-      lean_[step.triangle] = step.turn;
       for (Index h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h) {
         if (!is_joined(h) || patch_[mesh_.partner[h] / 3] != no_index) continue;
         const Index next = mesh_.partner[h] / 3;
@@ -88,12 +86,17 @@ class SheetGrower {
     return squared_norm(normal) == 0 ? 0 : angle_between(direction, normal);
   }
 
-  /// Thin facets tell little of the sheet's direction, whichever way they are long.
+  /// Of the patch beside a facet and of the facet itself. Thin facets tell little, whichever way they are
+  /// long. All neighbours count: along its own row a fillet never turns.
   Vec3 direction_after(const Step& step) const {
     const Vec3 own = normalized(mesh_.area_vectors[step.triangle]);
     if (step.from == no_index) return own;
+    Vec3 around;
+    for (Index h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h)
+      if (is_joined(h) && patch_[mesh_.beyond(h)] == patch_[step.triangle])
+        around += direction_[mesh_.beyond(h)];
     const double trust = std::min(1.0, mesh_.lowest_height(step.triangle) / options_.memory);
-    return normalized(lerp(direction_[step.from], own, trust));
+    return normalized(lerp(normalized(around), own, trust));
   }
 
   /// Growth runs a little way up each fillet, more here and less there. What leans from the sheet at its rim
@@ -104,13 +107,22 @@ class SheetGrower {
     while (!waiting.empty()) {
       std::vector<Index> next;
       for (const Index t : waiting) {
-        if (patch_[t] == no_index || lean_[t] <= trim_limit(t) || !on_rim(t)) continue;
+        if (patch_[t] == no_index || !on_rim(t) || lean(t) <= trim_limit(t)) continue;
         patch_[t] = no_index;
         for (Index h = 3 * t; h < 3 * t + 3; ++h)
           if (mesh_.beyond(h) != no_index) next.push_back(mesh_.beyond(h));
       }
       waiting = std::move(next);
     }
+  }
+
+  /// From the direction of the sheet beside it; along its own row a fillet never turns.
+  double lean(Index t) const {
+    double most = 0;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      if (is_joined(h) && patch_[mesh_.beyond(h)] == patch_[t])
+        most = std::max(most, turn_from(direction_[mesh_.beyond(h)], t));
+    return most;
   }
 
   double trim_limit(Index t) const {
@@ -167,7 +179,6 @@ class SheetGrower {
   const SheetGrowthOptions& options_;
   std::vector<Index> patch_;     ///< per triangle
   std::vector<Vec3> direction_;  ///< per triangle: of the sheet around it
-  std::vector<double> lean_;     ///< per triangle: from the sheet from which it was reached, radians
   Index count_ = 0;
 };
 
