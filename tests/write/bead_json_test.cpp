@@ -28,6 +28,7 @@ TEST(BeadJson, FollowsTheSchema) {
   EXPECT_EQ(bead["faces"], json::array({2}));
   EXPECT_EQ(bead["point"], json::array({50.0, 25.0, 4.0}));
   EXPECT_EQ(bead["length"], 40.0);
+  EXPECT_EQ(bead["confidence"], 1.0);
   EXPECT_EQ(bead["ends"], 2);
   EXPECT_EQ(bead["ridge"], json::parse("[[[30.0, 25.0, 4.0], [70.0, 25.0, 4.0]]]"));
   EXPECT_FALSE(bead.contains("mesh"));
