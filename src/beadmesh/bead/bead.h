@@ -31,7 +31,7 @@ struct Bead {
   int junctions = 0, ends = 0, medial_edges = 0;
   std::vector<RidgeCurve> ridge;
   double confidence = 1;  ///< of the face it was found on (panel/panel.h)
-  bool listed = true;  ///< false: more loops than a bead may have; only meshed as one
+  bool listed = true;     ///< false: more loops than a bead may have; only meshed as one
 };
 
 std::string name_of(BeadKind kind);

@@ -41,9 +41,9 @@ struct EdgeUse {
 
 struct PanelFace {
   std::vector<std::vector<EdgeUse>> loops;  ///< head to tail, face on the left; the outer loop first
-  double confidence = 1;       ///< that it is what it seems: 1 from CAD, less where facets are coarse or noisy
-  Facets facets;               ///< of this face alone: facets.loops[i] runs through the points of loops[i]
-  Index number = 0;            ///< 1-based, in the order of the input file; of a composite face its first
+  double confidence = 1;  ///< that it is what it seems: 1 from CAD, less where facets are coarse or noisy
+  Facets facets;          ///< of this face alone: facets.loops[i] runs through the points of loops[i]
+  Index number = 0;       ///< 1-based, in the order of the input file; of a composite face its first
   std::vector<Index> numbers;  ///< of a composite face those of all its faces, ascending; else empty
   std::string name;            ///< from the file; may be empty
   Index part = no_index;       ///< index in Panel::parts; no_index: the file knows of none
