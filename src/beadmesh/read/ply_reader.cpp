@@ -204,8 +204,9 @@ class PlyParser {
       if (property.count) {
         const auto given = body.next(*property.count);
         if (!given) return truncated();
-        if (!(*given >= 0))
-          return unreadable(element.name + " " + std::to_string(row + 1) + " has a list of negative length");
+        if (!(*given >= 0 && *given < 1e9))
+          return unreadable(element.name + " " + std::to_string(row + 1) +
+                            " has a list of a length that cannot be");
         count = std::uint64_t(*given);
       }
       for (std::uint64_t k = 0; k < count; ++k) {
