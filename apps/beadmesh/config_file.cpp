@@ -53,10 +53,13 @@ Key<SettingsLayer> text_key(const char* name, std::optional<std::string> Setting
 }
 
 Keys<SettingsLayer> main_keys() {
-  return {
-      text_key("preset", &SettingsLayer::preset),       number_key("size", &SettingsLayer::size),
-      number_key("min_edge", &SettingsLayer::min_edge), number_key("thickness", &SettingsLayer::thickness),
-      count_key("jobs", &SettingsLayer::jobs),          text_key("unit", &SettingsLayer::unit)};
+  return {text_key("preset", &SettingsLayer::preset),
+          number_key("size", &SettingsLayer::size),
+          number_key("min_edge", &SettingsLayer::min_edge),
+          number_key("thickness", &SettingsLayer::thickness),
+          number_key("chordal_deviation", &SettingsLayer::chordal_deviation),
+          count_key("jobs", &SettingsLayer::jobs),
+          text_key("unit", &SettingsLayer::unit)};
 }
 
 Keys<SettingsLayer> bead_keys() {
@@ -93,6 +96,13 @@ Keys<DesignLimits> design_keys() {
           number_key("min_hole_distance", &DesignLimits::min_hole_distance)};
 }
 
+Keys<SettingsLayer> hole_keys() {
+  return {count_key("rows", &SettingsLayer::washer_rows), number_key("width", &SettingsLayer::washer_width),
+          number_key("min_diameter", &SettingsLayer::min_hole_diameter),
+          number_key("max_diameter", &SettingsLayer::max_hole_diameter),
+          count_key("elements_around", &SettingsLayer::elements_around_holes)};
+}
+
 Key<BeadMeshControl> method_key() {
   return {"method", "automatic, blocks, ridge or face", [](const toml::node& node, BeadMeshControl& control) {
             control.method = bead_method_of(node.value<std::string>().value_or(""));
@@ -116,6 +126,16 @@ bool read_point(const toml::node& node, Vec3& point) {
     if (!one.is_number()) return false;
   point = {*(*list)[0].value<double>(), *(*list)[1].value<double>(), *(*list)[2].value<double>()};
   return true;
+}
+
+Keys<SettingsLayer> mesh_keys() {
+  return {{"keep_edges", "[[x, y, z], ...]", [](const toml::node& node, SettingsLayer& layer) {
+             const toml::array* list = node.as_array();
+             if (!list) return false;
+             for (const toml::node& one : *list)
+               if (!read_point(one, layer.kept_edges.emplace_back())) return false;
+             return true;
+           }}};
 }
 
 /// An entry of [[mesh.beads]].
@@ -224,8 +244,9 @@ class ConfigReader {
 
   Result<void> read_mesh(const toml::node& node) {
     return read_table<SettingsLayer>(
-        node, "mesh.", {}, layer_,
+        node, "mesh.", mesh_keys(), layer_,
         {{"bead", [this](const toml::node& one) { return read_mesh_bead(one); }},
+         {"holes", table_of("mesh.holes.", hole_keys(), layer_)},
          {"beads",
           [this](const toml::node& one) { return read_list(one, "mesh.beads", &ConfigReader::add_bead); }},
          {"local_size", [this](const toml::node& one) {

@@ -103,4 +103,11 @@ Result<LocalSize> local_size_of(const std::string& text) {
   return local;
 }
 
+Result<Vec3> kept_edge_of(const std::string& text) {
+  Vec3 point;
+  if (!read_point(text, point))
+    return fail("usage.keep_edge", fmt::format("'{}' is no point", text), "x:y:z, as in 10:20:5");
+  return point;
+}
+
 }  // namespace beadmesh::app

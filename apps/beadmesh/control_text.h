@@ -19,4 +19,7 @@ Result<std::pair<BeadSelection, BeadMeshControl>> single_bead_of(const std::stri
 /// "at=10:20:5,radius=30,size=2.5". Fails with usage.local_size.
 Result<LocalSize> local_size_of(const std::string& text);
 
+/// "10:20:5". Fails with usage.keep_edge.
+Result<Vec3> kept_edge_of(const std::string& text);
+
 }  // namespace beadmesh::app

@@ -14,6 +14,7 @@
 #include "beadmesh/write/bead_json.h"
 #include "beadmesh/write/deck.h"
 #include "crash_guard.h"
+#include "criteria_file.h"
 #include "outputs.h"
 #include "progress.h"
 #include "settings_text.h"
@@ -77,20 +78,25 @@ void print_summary(const Panel& panel, const PanelMesh& mesh, const Outputs& out
   std::string files;
   for (const std::string& name : outputs.names()) files += (files.empty() ? "" : ", ") + name;
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  fmt::print("{}{}wrote {} in {:.1f} s\n", bead_summary(panel, mesh.table, mesh.meshing),
-             quality_summary(mesh.quality), files, seconds);
+  fmt::print("{}{}{}wrote {} in {:.1f} s\n", bead_summary(panel, mesh.table, mesh.meshing),
+             quality_summary(mesh.quality), failing_summary(mesh.judged), files, seconds);
 }
 
 }  // namespace
 
 Result<int> run_mesh(const Options& options) {
   const auto start = Clock::now();
-  const MeshSizes& sizes = options.settings.sizes;
+  MeshSizes sizes = options.settings.sizes;
+  if (!options.criteria.empty()) {
+    auto limits = read_criteria(options.criteria);
+    if (!limits) return tl::make_unexpected(limits.error());
+    sizes.criteria = *limits;
+  }
   ProgressBar bar;
   const Context context = bar.context(options.settings.jobs);
   auto panel = read_guarded(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
-  panel = compose_faces(std::move(*panel), options.settings.beads, context);
+  panel = compose_faces(std::move(*panel), options.settings.beads, context, options.settings.kept_edges);
   if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());
   auto mesh = mesh_panel(*panel, sizes, options.settings.beads, context);
   if (!mesh) return tl::make_unexpected(mesh.error());
@@ -98,7 +104,10 @@ Result<int> run_mesh(const Options& options) {
 
   mesh->mesh.title =
       fmt::format("{}, size {:g} mm, minimum edge {:g} mm", panel->input, sizes.size, sizes.min_edge);
-  const std::vector<Diagnostic> short_of = shortfalls(*mesh, sizes.min_edge);
+  std::vector<Diagnostic> short_of = shortfalls(*mesh, sizes.min_edge);
+  // Limits that were given are wanted; the usual ones are only reported.
+  if (sizes.criteria)
+    for (Diagnostic& one : shortfalls(mesh->judged)) short_of.push_back(std::move(one));
   mesh->table.diagnostics.insert(mesh->table.diagnostics.end(), short_of.begin(), short_of.end());
   if (auto good = check_deck_mesh(mesh->mesh, options.settings.deck); !good)
     return tl::make_unexpected(good.error());

@@ -19,7 +19,7 @@ namespace {
 /// What CLI11 fills in, before it is checked.
 struct RawOptions {
   std::string input, face = "all", method, criteria;
-  std::vector<std::string> configs, beads, local_sizes;
+  std::vector<std::string> configs, beads, local_sizes, kept_edges;
   BatchOptions batch;
   OutputNames outputs;
   bool feet = false, timings = false, design_check = false;
@@ -64,6 +64,12 @@ void add_controls(CLI::App& verb, RawOptions& raw) {
                   "one bead: id=N or at=X:Y:Z, then size, min-edge, across, along, rows, method, as in\n"
                   "id=3,across=6,size=4; may be repeated")
       ->allow_extra_args(false);
+  verb.add_option("--keep-edge", raw.kept_edges,
+                  "rows of nodes follow the edge at X:Y:Z, though it is smooth; may be repeated")
+      ->allow_extra_args(false);
+  verb.add_option("--washer-rows", raw.flags.washer_rows, "rings of quads around holes (default 1; 0: none)");
+  verb.add_option("--washer-width", raw.flags.washer_width,
+                  "width of a ring, mm (default: the element size)");
   verb.add_option("--local-size", raw.local_sizes,
                   "element size in a ball: at=X:Y:Z,radius=R,size=S; may be repeated")
       ->allow_extra_args(false);
@@ -91,6 +97,9 @@ void add_mesh(CLI::App& app, RawOptions& raw) {
   verb.add_option("--min-edge", raw.flags.min_edge, "minimum element length, mm (default: half the size)");
   verb.add_option("--preset", raw.flags.preset,
                   "crash (5 / 2.5 mm), nvh (10 / 4 mm), durability (5 / 1.5 mm)");
+  verb.add_option("--chordal-deviation", raw.flags.chordal_deviation,
+                  "edges off beads get shorter where their sagitta would pass it, mm (default: no limit)");
+  verb.add_option("--criteria", raw.criteria, "limits from a criteria file to judge the mesh by; see check");
   add_controls(verb, raw);
   add_deck(verb, raw);
   verb.add_option("--report", raw.outputs.report, "report in 3-D: .html, or only a flat picture: .svg");
@@ -130,6 +139,8 @@ void add_check(CLI::App& app, RawOptions& raw) {
                   "fail, worst")
       ->excludes("--preset");
   verb.add_option("--save-criteria", raw.outputs.criteria, "the limits as a criteria file");
+  verb.add_option("--repair", raw.outputs.repaired,
+                  "the deck again, nodes moved so that fewer elements fail; needs limits");
   verb.add_option("--json", raw.outputs.json, "figures as JSON; - for standard output");
 }
 
@@ -165,6 +176,11 @@ Result<void> read_texts(const RawOptions& raw, SettingsLayer& flags) {
     auto size = local_size_of(text);
     if (!size) return tl::make_unexpected(size.error());
     flags.local_sizes.push_back(*size);
+  }
+  for (const std::string& text : raw.kept_edges) {
+    auto point = kept_edge_of(text);
+    if (!point) return tl::make_unexpected(point.error());
+    flags.kept_edges.push_back(*point);
   }
   return {};
 }

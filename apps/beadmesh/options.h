@@ -14,7 +14,7 @@ enum class Verb { mesh, beads, medial, check, batch, options };
 
 /// Files to write; empty: not asked for; "-": standard output (json and csv only).
 struct OutputNames {
-  std::string deck, json, csv, report, svg, criteria;
+  std::string deck, json, csv, report, svg, criteria, repaired;
 };
 
 struct Options {
@@ -28,8 +28,8 @@ struct Options {
   bool feet = false;          ///< of `medial`: lines to the touching points in the picture
   bool has_size = false;      ///< of `check`: was given
   bool has_min_edge = false;
-  std::string criteria;  ///< of `check`: file with limits; empty: those of the preset
-  std::string preset;    ///< of `check`; empty: no limits but the file's
+  std::string criteria;  ///< file with limits; empty: those of the preset
+  std::string preset;    ///< of the command line; `check`: without it no limits but the file's
   BatchOptions batch;    ///< of `batch`, which has no others
 };
 

@@ -25,10 +25,13 @@ std::vector<Named> asked_for(const Options& options) {
   const OutputNames& names = options.outputs;
   std::vector<std::string> reports = {".html", ".htm"};
   if (options.verb == Verb::mesh) reports.push_back(".svg");  // the flat picture is one of the mesh
-  std::vector<Named> all = {
-      {"--output", names.deck, {}, false},   {"--json", names.json, {}, true},
-      {"--csv", names.csv, {}, true},        {"--report", names.report, reports, false},
-      {"--svg", names.svg, {".svg"}, false}, {"--save-criteria", names.criteria, {}, false}};
+  std::vector<Named> all = {{"--output", names.deck, {}, false},
+                            {"--json", names.json, {}, true},
+                            {"--csv", names.csv, {}, true},
+                            {"--report", names.report, reports, false},
+                            {"--svg", names.svg, {".svg"}, false},
+                            {"--save-criteria", names.criteria, {}, false},
+                            {"--repair", names.repaired, {".bdf", ".nas", ".dat"}, false}};
   std::vector<Named> asked;
   for (Named& one : all)
     if (!one.name.empty()) asked.push_back(std::move(one));

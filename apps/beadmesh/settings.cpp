@@ -36,6 +36,7 @@ void apply_sizes(const SettingsLayer& layer, MeshSizes& sizes) {
   else if (layer.size)
     sizes.min_edge = ratio * *layer.size;
   sizes.thickness = layer.thickness.value_or(sizes.thickness);
+  sizes.chordal_deviation = layer.chordal_deviation.value_or(sizes.chordal_deviation);
 }
 
 void apply_controls(const SettingsLayer& layer, MeshSizes& sizes) {
@@ -61,6 +62,17 @@ Result<void> apply_deck(const SettingsLayer& layer, DeckOptions& deck) {
                 "known: modes, none");
   deck.analysis = *layer.analysis == "none" ? DeckAnalysis::none : DeckAnalysis::modes;
   return {};
+}
+
+void apply_washers(const SettingsLayer& layer, WasherControl& washers) {
+  washers.rows = layer.washer_rows.value_or(washers.rows);
+  const auto take = [](auto& target, const auto& value) {
+    if (value) target = value;
+  };
+  take(washers.width, layer.washer_width);
+  take(washers.min_diameter, layer.min_hole_diameter);
+  take(washers.max_diameter, layer.max_hole_diameter);
+  take(washers.elements_around, layer.elements_around_holes);
 }
 
 void set(double& target, const std::optional<double>& value, double factor = 1) {
@@ -136,6 +148,8 @@ Result<void> apply(const SettingsLayer& layer, Settings& settings) {
   apply_sizes(layer, settings.sizes);
   apply_controls(layer, settings.sizes);
   if (auto known = apply_deck(layer, settings.deck); !known) return known;
+  apply_washers(layer, settings.sizes.washers);
+  settings.kept_edges.insert(settings.kept_edges.end(), layer.kept_edges.begin(), layer.kept_edges.end());
   settings.jobs = layer.jobs.value_or(settings.jobs);
   settings.read.unit = layer.unit.value_or(settings.read.unit);
   if (layer.skin)
@@ -161,6 +175,7 @@ Result<void> check(const Settings& s) {
       {"usage.ids", "first node id", double(s.deck.first_node), 1, 99'999'999, false},
       {"usage.ids", "first element id", double(s.deck.first_element), 1, 99'999'999, false},
       {"usage.ids", "first property id", double(s.deck.first_property), 1, 99'999'999, false},
+      {"usage.chordal_deviation", "chordal deviation (mm)", s.sizes.chordal_deviation, 0, 1e6, false},
       {"usage.jobs", "number of jobs", static_cast<double>(s.jobs), 0, 1024, false},
       {"usage.min_aspect_ratio", "least aspect ratio of a bead", s.beads.min_aspect_ratio, 0, 1e6, false},
       {"usage.max_joint_angle", "largest joint angle (degrees)", degrees(s.beads.max_joint_angle), 0, 180,
@@ -180,6 +195,7 @@ Result<void> check(const Settings& s) {
                 fmt::format("the minimum edge length {} mm is above the element size {} mm", s.sizes.min_edge,
                             s.sizes.size),
                 "half the size is usual");
+  if (auto good = check_washers(s.sizes.washers); !good) return good;
   if (auto good = check_local_sizes(s.sizes.local, s.sizes.min_edge); !good) return good;
   if (auto good = check_design(s.design); !good) return good;
   return check_beads(s.sizes);

@@ -17,14 +17,15 @@ struct Settings {
   BeadOptions beads;
   ReadOptions read;
   DeckOptions deck;
-  DesignLimits design;  ///< default: none; of `beads --design-check`
-  int jobs = 0;         ///< default 0: all cores
+  std::vector<Vec3> kept_edges;  ///< points on edges that rows of nodes follow
+  DesignLimits design;           ///< default: none; of `beads --design-check`
+  int jobs = 0;                  ///< default 0: all cores
 };
 
 /// What one layer says; what it leaves out stays as it was.
 struct SettingsLayer {
   std::optional<std::string> preset;  ///< crash, nvh, durability
-  std::optional<double> size, min_edge, thickness;
+  std::optional<double> size, min_edge, thickness, chordal_deviation;
   std::optional<int> jobs, max_loops;
   std::optional<int> id_offset, first_node, first_element, first_property;
   std::optional<std::string> analysis;  ///< modes, none
@@ -34,6 +35,9 @@ struct SettingsLayer {
   DesignLimits design;                                                          ///< angle in degrees
   BeadControls controls;
   std::vector<LocalSize> local_sizes;
+  std::vector<Vec3> kept_edges;
+  std::optional<int> washer_rows, elements_around_holes;
+  std::optional<double> washer_width, min_hole_diameter, max_hole_diameter;
 };
 
 /// The preset of the layer first, then its values. A size without a minimum edge keeps their ratio. Single

@@ -41,6 +41,15 @@ void add_controls(const BeadControls& controls, std::vector<std::string>& lines)
   }
 }
 
+std::string washer_text(const WasherControl& washers) {
+  std::string text = fmt::format("[mesh.holes] rows = {}", washers.rows);
+  if (washers.width) append(text, fmt::format("width = {:g}", *washers.width));
+  if (washers.min_diameter) append(text, fmt::format("min_diameter = {:g}", *washers.min_diameter));
+  if (washers.max_diameter) append(text, fmt::format("max_diameter = {:g}", *washers.max_diameter));
+  if (washers.elements_around) append(text, fmt::format("elements_around = {}", *washers.elements_around));
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> settings_lines(const Settings& s) {
@@ -54,6 +63,11 @@ std::vector<std::string> settings_lines(const Settings& s) {
                   "feature_angle = {:g}, unit = \"{}\"",
                   s.read.chord, degrees(s.read.angle), s.read.max_facet, s.read.sew_tolerance,
                   degrees(s.read.feature_angle), s.read.unit)};
+  if (s.sizes.chordal_deviation > 0)
+    lines.push_back(fmt::format("chordal_deviation = {:g}", s.sizes.chordal_deviation));
+  if (s.sizes.washers != WasherControl{}) lines.push_back(washer_text(s.sizes.washers));
+  for (const Vec3 p : s.kept_edges)
+    lines.push_back(fmt::format("[mesh] keep_edges = [[{:g}, {:g}, {:g}]]", p.x, p.y, p.z));
   add_controls(s.sizes.beads, lines);
   for (const LocalSize& local : s.sizes.local)
     lines.push_back(fmt::format("[[mesh.local_size]] {}, radius = {:g}, size = {:g}", point_text(local.point),

@@ -29,6 +29,12 @@ std::string counts_by_kind(const BeadTable& table) {
   return text.empty() ? "" : text + ")";
 }
 
+std::string failing_line(const GroupFindings& group) {
+  const CriteriaFindings& f = group.findings;
+  return fmt::format("{}: {} of {} fail ({:.2f} %)\n", group.name, f.failing, plural(f.elements, "element"),
+                     f.elements ? 100.0 * f.failing / f.elements : 0.0);
+}
+
 std::string count_of(const MedialObject& object, MedialVertexType type, const char* name) {
   const auto count = std::count_if(object.vertices.begin(), object.vertices.end(),
                                    [&](const MedialVertex& v) { return v.type == type; });
@@ -102,12 +108,33 @@ std::string criteria_summary(const JudgedMesh& judged) {
                     limits.warn, limits.fail, extreme, limits.on ? fmt::to_string(found.warned) : "off",
                     limits.on ? fmt::to_string(found.failed) : "off");
   }
-  for (const PartFindings& part : judged.parts)
-    text +=
-        fmt::format("{}: {} of {} fail ({:.2f} %)\n", part.name, part.findings.failing,
-                    plural(part.findings.elements, "element"),
-                    part.findings.elements ? 100.0 * part.findings.failing / part.findings.elements : 0.0);
+  for (const GroupFindings& part : judged.parts) text += failing_line(part);
+  for (const GroupFindings& bead : judged.beads)
+    if (bead.findings.failing > 0) text += failing_line(bead);
   return text;
+}
+
+std::string failing_summary(const JudgedMesh& judged) {
+  if (judged.parts.empty()) return "";
+  const CriteriaFindings& all = judged.parts.front().findings;
+  std::string what;
+  for (int m = 0; m < measure_count; ++m)
+    if (judged.criteria.of[m].on && all.of[m].failed > 0)
+      what += fmt::format("{}{} {}", what.empty() ? "" : ", ", name_of(static_cast<QualityMeasure>(m)),
+                          all.of[m].failed);
+  return fmt::format("criteria: {} of {} fail ({:.2f} %){}{}\n", all.failing, plural(all.elements, "element"),
+                     all.elements ? 100.0 * all.failing / all.elements : 0.0, what.empty() ? "" : ": ", what);
+}
+
+std::string repair_summary(const RepairFacts& facts, const JudgedMesh& after) {
+  const CriteriaFindings& now = after.parts.front().findings;
+  std::string what;
+  for (int m = 0; m < measure_count; ++m)
+    if (after.criteria.of[m].on && (facts.before.of[m].failed > 0 || now.of[m].failed > 0))
+      what += fmt::format("; {} {} -> {}", name_of(static_cast<QualityMeasure>(m)), facts.before.of[m].failed,
+                          now.of[m].failed);
+  return fmt::format("repair: {} -> {} failing, {} moved{}\n", facts.before.failing, now.failing,
+                     plural(static_cast<size_t>(facts.moved_nodes), "node"), what);
 }
 
 std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces,

@@ -20,8 +20,12 @@ std::string bead_summary(const Panel& panel, const BeadTable& table,
 std::string design_summary(const std::vector<BeadDesign>& designs);
 /// Counts, quality and edges, a line each.
 std::string quality_summary(const QualitySummary& quality);
-/// A line per criterion of the whole mesh, then one per part.
+/// A line per criterion of the whole mesh, then one per part and one per bead that has failing elements.
 std::string criteria_summary(const JudgedMesh& judged);
+/// What fails in the whole mesh, on one line.
+std::string failing_summary(const JudgedMesh& judged);
+/// What failed before and after a repair, by criterion, on one line.
+std::string repair_summary(const RepairFacts& facts, const JudgedMesh& after);
 /// A line per face: loops, vertices by type, edges, length, thickness; `images`: which faces were cut open
 /// (none for a plane polygon).
 std::string medial_summary(const std::string& input, const std::vector<FaceMedial>& faces,

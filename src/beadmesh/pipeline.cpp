@@ -67,6 +67,14 @@ FaceOutcome study_one(const Panel& panel, Index face, const BeadOptions& options
   return out;
 }
 
+/// "12.5"
+std::string text_of(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 /// "12 %" of the stretch 1.12.
 std::string percent(double stretch) {
   return std::to_string(std::lround(100 * (stretch - 1))) + " %";
@@ -190,13 +198,23 @@ class JobLimit {
 
 }  // namespace
 
-Panel compose_faces(Panel panel, const BeadOptions& options, const Context& context) {
+Panel compose_faces(Panel panel, const BeadOptions& options, const Context& context,
+                    const std::vector<Vec3>& kept) {
   if (panel.is_facetted) return panel;
+  constexpr double reach = 1;
   const JobLimit limit(context.jobs);
   CompositeOptions composite;
   composite.bead = options;
+  JoinedSheetOptions joined;
+  std::vector<Vec3> missed;
+  joined.kept_edges = edges_at(panel, kept, reach, missed);
+  for (const Vec3 p : missed)
+    panel.diagnostics.push_back(
+        {"control.keep_edge", Severity::warning, no_index, "",
+         "no edge to keep at (" + text_of(p.x) + ", " + text_of(p.y) + ", " + text_of(p.z) + ")",
+         "give a point within 1 mm of an edge"});
   context.report("compose", 0);
-  const auto sheets = joined_sheets(panel, {}, context);
+  const auto sheets = joined_sheets(panel, joined, context);
   panel = with_merged_faces(std::move(panel), sheets);
   context.report("compose", 0.3);
   const auto features = composite_faces(panel, composite, context);
@@ -234,7 +252,9 @@ Result<PanelMesh> mesh_panel(const Panel& panel, const MeshSizes& sizes, const B
   meshed.max_loops = std::max(options.max_loops, most_loops_meshed);
   const StudiedPanel studied = study_panel(panel, meshed, options.max_loops, context);
   return mesh_studied_panel(panel, studied,
-                            {sizes.size, sizes.min_edge, sizes.thickness, sizes.beads, sizes.local}, context);
+                            {sizes.size, sizes.min_edge, sizes.thickness, sizes.beads, sizes.local,
+                             sizes.washers, sizes.chordal_deviation, sizes.criteria},
+                            context);
 }
 
 Result<FaceMedial> medial_of_face(const Panel& panel, Index face) {

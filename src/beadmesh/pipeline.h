@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@
 #include "beadmesh/medial/face_medial.h"
 #include "beadmesh/mesh/bead_control.h"
 #include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/mesh/quality_criteria.h"
 #include "beadmesh/mesh/size_field.h"
+#include "beadmesh/mesh/washers.h"
 #include "beadmesh/panel/panel.h"
 
 namespace beadmesh {
@@ -25,12 +28,19 @@ struct MeshSizes {
   double thickness = 1;     ///< default 1 mm: shell thickness written into the properties
   BeadControls beads = {};  ///< what is asked of single beads and kinds
   std::vector<LocalSize> local = {};
+  double chordal_deviation = 0;  ///< default 0, no limit, mm: sagitta of edges off beads
+  WasherControl washers = {};    ///< what is asked of the mesh around holes
+  /// Limits that the mesh is judged by; none: those of crash with the lengths above.
+  std::optional<QualityCriteria> criteria = {};
 };
 
 /// Sheet that the CAD system has cut without need becomes one face (bead/joined_sheets.h), and so does each
 /// bead that it has split into many (bead/composite_faces.h). First
-/// stage after reading; what the others are given is its panel.
-Panel compose_faces(Panel panel, const BeadOptions& options = {}, const Context& context = {});
+/// stage after reading; what the others are given is its panel. Sheet is not joined over the edges nearest to
+/// `kept` (points within 1 mm of an edge, so that polylines can be followed): rows of nodes follow them. A
+/// point without an edge becomes a warning of the panel (control.keep_edge).
+Panel compose_faces(Panel panel, const BeadOptions& options = {}, const Context& context = {},
+                    const std::vector<Vec3>& kept = {});
 
 /// Sections 3 and 4.1: every face that is a bead, with its medial object. Never fails for a single face.
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});

@@ -144,6 +144,57 @@ class Files(Case):
         self.assertEqual(1, failing.returncode)
         self.assertIn("past the limits", failing.stderr)
 
+    def test_what_mesh_says_of_criteria_is_what_check_finds(self):
+        deck, table, report = (self.folder / name for name in ("panel.bdf", "panel.json", "check.json"))
+        meshed = run("mesh", example("basic"), "-o", deck, "--preset", "crash", "--json", table)
+        run("check", deck, "--preset", "crash", "--json", report)
+        panel, judged = json.loads(table.read_text()), json.loads(report.read_text())
+        found, whole = panel["mesh"]["quality"]["criteria"], judged["parts"][0]
+        self.assertEqual((whole["elements"], whole["failing"]), (found["elements"], found["failing"]))
+        self.assertEqual({m["name"]: m["failed"] for m in whole["measures"] if m["name"] != "chordal dev"}, found["failed"])
+        self.assertEqual(2.5, found["limits"]["min length"])
+        self.assertIn(f"criteria: {found['failing']} of {found['elements']} elements fail", meshed.stdout)
+        for bead, row in zip(judged["beads"], panel["beads"], strict=True):
+            self.assertEqual(f"bead {row['id']}, kind {row['kind']}, shape {row['shape']}", bead["name"])
+            self.assertEqual((row["mesh"]["elements"], row["mesh"]["failing"]), (bead["elements"], bead["failing"]))
+
+    def test_limits_given_to_mesh_count(self):
+        deck = self.folder / "panel.bdf"
+        strict = self.file("strict.criteria", b"1 min length 1 1 9 8 7 6 0\n")
+        failing = run("mesh", example("basic"), "-o", deck, "--criteria", strict)
+        self.assertEqual(1, failing.returncode)
+        self.assertIn("past the limits", failing.stderr)
+        self.assertTrue(deck.exists())
+        self.assert_refused("mesh", example("basic"), "-o", self.folder / "other.bdf", "--criteria",
+                            self.folder / "missing.criteria", names="missing.criteria")
+
+    def test_repair_moves_nodes_and_nothing_else(self):
+        deck, spoilt, mended, report = (self.folder / n for n in ("panel.bdf", "spoilt.bdf", "mended.bdf", "check.json"))
+        run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")
+        lines = deck.read_text().splitlines(keepends=True)
+        rows = [i for i, line in enumerate(lines) if line.startswith("GRID*")]
+        for i in rows[-400::20]:  # the last nodes lie inside the sheet
+            lines[i] = lines[i][:40] + f"{float(lines[i][40:56]) + 2.2:16.8f}" + lines[i][56:]
+        spoilt.write_text("".join(lines))
+        before = json.loads(run("check", spoilt, "--preset", "crash", "--json", "-").stdout)["parts"][0]["failing"]
+        result = run("check", spoilt, "--preset", "crash", "--repair", mended, "--json", report)
+        table = json.loads(report.read_text())
+        after = table["parts"][0]["failing"]
+        self.assertEqual(before, table["repair"]["failing_before"])
+        self.assertLess(after, before - 10)
+        self.assertIn(f"repair: {before} -> {after} failing", result.stdout)
+        again = json.loads(run("check", mended, "--preset", "crash", "--json", "-").stdout)
+        self.assertEqual(table["parts"], again["parts"])
+        keep = [line for line in mended.read_text().splitlines() if not line.startswith(("GRID*", "*"))]
+        self.assertEqual([line.rstrip("\n") for line in lines if not line.startswith(("GRID*", "*"))], keep)
+
+    def test_repair_needs_limits_and_another_file(self):
+        deck = self.folder / "panel.bdf"
+        run("mesh", example("basic"), "-o", deck)
+        self.assert_refused("check", deck, "--repair", self.folder / "out.bdf", names="limits")
+        self.assert_refused("check", deck, "--preset", "crash", "--repair", deck, names="panel.bdf")
+        self.assert_refused("check", deck, "--preset", "crash", "--repair", self.folder / "out.txt", names="out.txt")
+
     def test_minimum_edge_holds_in_the_deck(self):
         deck = self.folder / "panel.bdf"
         run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")

@@ -82,6 +82,64 @@ class Controls(Case):
         self.assertEqual(by_option, by_file)
 
 
+class KeptEdges(Case):
+    def test_a_point_without_an_edge_is_named(self):
+        config = self.file("settings.toml", b"[mesh]\nkeep_edges = [[0, 0, 400]]\n")
+        result = run("mesh", example("basic"), "-o", self.folder / "panel.bdf", "--config", config, "--keep-edge", "0:0:500")
+        self.assertEqual(0, result.returncode, result.stderr)
+        for point in ("(0, 0, 400)", "(0, 0, 500)"):
+            self.assertIn(f"no edge to keep at {point}", result.stderr)
+
+
+class Washers(Case):
+    """Rings of quads around the holes of the example basic."""
+
+    def around(self, *options):
+        """Boundary nodes of each small free loop, and of those that are a ring deep how many quads touch them."""
+        deck = self.folder / "panel.bdf"
+        result = run("mesh", example("basic"), "-o", deck, *options)
+        self.assertEqual(0, result.returncode, result.stderr)
+        return holes_of(deck.read_text())
+
+    def test_one_ring_by_default(self):
+        for hole in self.around():
+            self.assertEqual(0, len(hole) % 2)
+            self.assertEqual({2}, set(hole))
+
+    def test_none_when_not_wanted(self):
+        self.assertTrue(any(set(hole) != {2} for hole in self.around("--washer-rows", "0")))
+
+    def test_by_file(self):
+        config = self.file("settings.toml", b"[mesh.holes]\nrows = 2\nwidth = 4.0\nelements_around = 12\n")
+        self.assertTrue(all(len(hole) == 12 and set(hole) == {2} for hole in self.around("--config", config)))
+
+    def test_senseless_values_are_refused(self):
+        for option, value in (("--washer-rows", "-1"), ("--washer-width", "0")):
+            self.assert_refused("mesh", example("basic"), "-o", self.folder / "out.bdf", option, value, names="washer")
+
+
+def holes_of(text):
+    """For each free loop of fewer than 30 nodes: number of quads at each of its nodes."""
+    quads = [[int(line[8 * k:8 * k + 8]) for k in range(3, 7)] for line in text.splitlines() if line.startswith("CQUAD4")]
+    ahead, valence = {}, {}
+    sides = {(a, b) for q in quads for a, b in zip(q, q[1:] + q[:1])}
+    for a, b in sides:
+        if (b, a) not in sides:
+            ahead[b] = a
+    for q in quads:
+        for n in q:
+            valence[n] = valence.get(n, 0) + 1
+    holes = []
+    while ahead:
+        node, loop = next(iter(ahead)), []
+        while node in ahead:
+            loop.append(valence[node])
+            node = ahead.pop(node)
+        if len(loop) < 30:
+            holes.append(loop)
+    return holes
+
+
 class WrongControls(Case):
     def refuse(self, *options, names):
         self.assert_refused("mesh", example("basic"), "-o", self.folder / "out.bdf", *options, names=names)
@@ -108,6 +166,9 @@ class WrongControls(Case):
                      "id=1,,across=4", "id=1,id=2", "id=1,method=paint", "id=1,across=3", "id=1,size=2", "id=1,min-edge=1"):
             with self.subTest(text):
                 self.refuse("--bead", text, names="")
+        for text in ("1:2", "x:y:z", "at=1:2:3"):
+            with self.subTest(text):
+                self.refuse("--keep-edge", text, names=text)
         for text in ("at=0:0:0,radius=10", "at=0:0:0,radius=0,size=3", "radius=5,size=3", "at=0:0:0,radius=9,size=1",
                      "at=0:0:0,radius=nan,size=3"):
             with self.subTest(text):
@@ -124,6 +185,10 @@ class WrongControls(Case):
         self.refuse_config("[[mesh.beads]]\npoint = [0, 0]\n", ":2", "mesh.beads.point")
         self.refuse_config("[mesh.beads]\nid = 1\n", ":1", "[[mesh.beads]]")
         self.refuse_config("[[mesh.local_size]]\nradius = 3\nsize = 3\n", ":1", "point")
+        self.refuse_config("[mesh]\nkeep_edges = [[1, 2]]\n", ":2", "mesh.keep_edges")
+        self.refuse_config("chordal_deviation = -1\n", "chordal deviation")
+        self.refuse_config("[mesh.holes]\nrow = 3\n", ":2", "mesh.holes.row")
+        self.refuse_config("[mesh.holes]\nelements_around = 7\n", "even")
         self.refuse_config("mesh = 3\n", ":1", "table")
         self.refuse_config("[[mesh.beads]]\nid = 7\n", "bead 7")
         self.refuse_config("[mesh.bead]\nelements_across = 5\n", "5")

@@ -1,7 +1,10 @@
 #include "beadmesh/mesh/element_quality.h"
 
 #include <gtest/gtest.h>
+
 #include <rapidcheck/gtest.h>
+#include <algorithm>
+#include <cmath>
 
 #include "mesh/sample_quads.h"
 
@@ -85,6 +88,25 @@ TEST(Summary, CountsGrid) {
   EXPECT_EQ(summary.edges_below_min, 0);
   EXPECT_EQ(summary.irregular, 0);
   EXPECT_EQ(summary.inverted, 0);
+}
+
+/// Determinants of the bilinear map at the four Gauss points, written out.
+TEST(JacobianRatio, IsThatOfTheGaussPoints) {
+  const std::vector<Vec3> nodes = {{0, 0, 0}, {7, 1, 0}, {5, 6, 0}, {-1, 3, 0}, {2, 2, 0}};
+  const double gauss = 1 / std::sqrt(3.0);
+  double least = 1e300, largest = 0;
+  for (const double u : {-gauss, gauss})
+    for (const double v : {-gauss, gauss}) {
+      const Vec3 along_u = (nodes[1] - nodes[0]) * (1 - v) + (nodes[2] - nodes[3]) * (1 + v);
+      const Vec3 along_v = (nodes[3] - nodes[0]) * (1 - u) + (nodes[2] - nodes[1]) * (1 + u);
+      least = std::min(least, cross(along_u, along_v).z);
+      largest = std::max(largest, cross(along_u, along_v).z);
+    }
+  EXPECT_NEAR(jacobian_ratio(nodes, {0, 1, 2, 3}), least / largest, 1e-12);
+  EXPECT_EQ(jacobian_ratio(nodes, {0, 1, 2, no_index}), 1);
+  EXPECT_LE(jacobian_ratio(nodes, {0, 1, 4, 3}), jacobian_ratio(nodes, {0, 1, 2, 3}));
+  EXPECT_EQ(jacobian_ratio(nodes, {3, 2, 1, 0}), jacobian_ratio(nodes, {0, 1, 2, 3}))
+      << "seen along its own normal";
 }
 
 TEST(Summary, CountsEdgesBelowMinimumOnce) {

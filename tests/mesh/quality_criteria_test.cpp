@@ -109,7 +109,7 @@ TEST(QualityCriteria, CountsEachElementOnceAndNamesTheWorst) {
                                    {5, 5, 0}, {10, 5, 0}, {11, 5, 0}, {14, 2, 0}};
   const std::vector<MeshElement> elements = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 8, 7, no_index}};
   const auto criteria = criteria_of_preset("crash");
-  const CriteriaFindings all = judge(nodes, elements, *criteria);
+  const CriteriaFindings all = judge(nodes, elements, *criteria).parts[0].findings;
   EXPECT_EQ(all.elements, 4);
   EXPECT_EQ(all.failing, 1) << "short and slender, but one element";
   EXPECT_EQ(all[min_length].failed, 1);
@@ -117,12 +117,43 @@ TEST(QualityCriteria, CountsEachElementOnceAndNamesTheWorst) {
   EXPECT_DOUBLE_EQ(*all[min_length].extreme, 1);
   EXPECT_DOUBLE_EQ(*all[triangle_share].extreme, 25);
   EXPECT_EQ(all[triangle_share].failed, 1);
-  EXPECT_FALSE(all[chordal_deviation].extreme);
-  EXPECT_TRUE(judge(nodes, elements, *criteria, {0, 1}).holds());
+  EXPECT_NEAR(*all[chordal_deviation].extreme, 0, 1e-12);
+  const JudgedMesh parts =
+      judge(nodes, elements, *criteria, {{"good", {0, 1}}, {"rest", {2, 3}}}, {{"bead 1", {2}}});
+  ASSERT_EQ(parts.parts.size(), 3);
+  EXPECT_EQ(parts.parts[1].name, "good");
+  EXPECT_TRUE(parts.parts[1].findings.holds());
+  EXPECT_EQ(parts.parts[2].findings.failing, 1);
+  EXPECT_DOUBLE_EQ(*parts.parts[2].findings[triangle_share].extreme, 50);
+  ASSERT_EQ(parts.beads.size(), 1);
+  EXPECT_EQ(parts.beads[0].findings.failing, 1);
   QualityCriteria off = *criteria;
   off[min_length].on = off[triangle_share].on = false;
-  EXPECT_EQ(judge(nodes, elements, off).failing, 0);
-  EXPECT_DOUBLE_EQ(*judge(nodes, elements, off)[min_length].extreme, 1) << "measured all the same";
+  const CriteriaFindings loose = judge(nodes, elements, off).parts[0].findings;
+  EXPECT_EQ(loose.failing, 0);
+  EXPECT_DOUBLE_EQ(*loose[min_length].extreme, 1) << "measured all the same";
+}
+
+/// Strips of 5 mm on cylinders: the sagitta over a chord c on radius r is c^2 / (8 r).
+TEST(ChordalDeviation, IsTheSagittaOnACylinder) {
+  for (const double radius : {20.0, 50.0, 200.0}) {
+    std::vector<Vec3> nodes;
+    std::vector<MeshElement> elements;
+    for (int i = 0; i <= 8; ++i)
+      for (int j = 0; j <= 3; ++j)
+        nodes.push_back({radius * std::sin(5 * i / radius), 5.0 * j, radius * std::cos(5 * i / radius)});
+    for (int i = 0; i < 8; ++i)
+      for (int j = 0; j < 3; ++j)
+        elements.push_back({4 * i + j, 4 * i + 4 + j, 4 * i + 5 + j, 4 * i + 1 + j});
+    const auto found = chordal_deviations(nodes, elements);
+    const double chord = distance(nodes[0], nodes[4]);
+    for (const int e : {7, 10, 13}) EXPECT_NEAR(found[e], chord * chord / 8 / radius, 0.02 * found[e]);
+  }
+}
+
+TEST(ChordalDeviation, ASharpEdgeIsNoBow) {
+  const std::vector<Vec3> nodes = {{0, 0, 0}, {5, 0, 0}, {5, 5, 0}, {0, 5, 0}, {5, 0, 5}, {5, 5, 5}};
+  for (const double d : chordal_deviations(nodes, {{0, 1, 2, 3}, {1, 4, 5, 2}})) EXPECT_NEAR(d, 0, 1e-12);
 }
 
 TEST(CriteriaText, ComesBackAsItWas) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace beadmesh {
 namespace {
@@ -80,6 +81,58 @@ TEST(SizeField, StationsFollowTheSizeAlongAChain) {
 TEST(SizeField, WithoutBallsStationsAreEven) {
   const auto stations = SizeField(5, {}).along(square(), middle_line()).stations(8);
   for (int i = 0; i <= 8; ++i) EXPECT_DOUBLE_EQ(stations[i], 25 * i);
+}
+
+/// A straight line of 40, then a quarter circle of radius 20 in 30 chords.
+TEST(SizeField, ChordLimitShortensEdgesOnCurves) {
+  Panel panel;
+  Chain chain;
+  const auto add = [&](Vec3 p) {
+    chain.arc_length.push_back(
+        panel.points.empty() ? 0 : chain.arc_length.back() + distance(panel.points.back(), p));
+    chain.points.push_back(Index(panel.points.size()));
+    panel.points.push_back(p);
+  };
+  for (int i = 0; i < 8; ++i) add({5.0 * i, 0, 0});
+  for (int i = 0; i <= 30; ++i) add({40 + 20 * std::sin(pi / 60 * i), 0, 20 - 20 * std::cos(pi / 60 * i)});
+  const SizeField field(5, {}, {0.05, 2});
+  const double fine = std::sqrt(8 * 0.05 * 20);
+  EXPECT_NEAR(field.size_on_curvature(1 / 20.0), fine, 1e-12);
+  EXPECT_EQ(field.size_on_curvature(1), 2) << "not below the finest";
+  EXPECT_EQ(SizeField(5, {}).size_on_curvature(1), 1e300);
+  const ChainSizing sizing = field.along(panel, chain);
+  EXPECT_NEAR(sizing.count(), 40 / 5.0 + 10 * pi / fine, 0.4);
+  const auto stations = sizing.stations(int(std::lround(sizing.count())));
+  for (size_t i = 1; i < stations.size(); ++i)
+    EXPECT_NEAR(stations[i] - stations[i - 1],
+                stations[i] < 36       ? 5
+                : stations[i - 1] > 43 ? fine
+                                       : 4,
+                1)
+        << stations[i];
+}
+
+TEST(SizeField, ChordLimitOfACylinder) {
+  Facets facets;
+  for (int i = 0; i <= 20; ++i)
+    for (const double y : {0.0, 100.0})
+      facets.points.push_back({20 * std::sin(0.05 * i), y, 20 * std::cos(0.05 * i)});
+  for (Index i = 0; i < 20; ++i) {
+    facets.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+    facets.triangles.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  struct Cylinder : SurfaceEvaluator {
+    Vec3 point(Vec2 uv) const override { return {20 * std::sin(uv.x), uv.y, 20 * std::cos(uv.x)}; }
+    Vec3 normal(Vec2 uv) const override { return {std::sin(uv.x), 0, std::cos(uv.x)}; }
+  };
+  facets.surfaces = {std::make_shared<Cylinder>()};
+  facets.triangle_surface.assign(facets.triangles.size(), 0);
+  for (const Triangle& t : facets.triangles) {
+    const auto uv = [&](Index n) { return Vec2{0.05 * (n / 2), n % 2 ? 100.0 : 0.0}; };
+    facets.triangle_uv.push_back({uv(t[0]), uv(t[1]), uv(t[2])});
+  }
+  EXPECT_NEAR(SizeField(5, {}, {0.05, 1}).of_face(facets), std::sqrt(8 * 0.05 * 20), 0.05);
+  EXPECT_EQ(SizeField(5, {}).of_face(facets), 5);
 }
 
 TEST(SizeField, LocalSizesThatMakeNoSenseAreRefused) {

@@ -63,6 +63,34 @@ TEST(CompositeFaces, SheetCutByConstructionLinesIsOneFaceAgain) {
   EXPECT_EQ(recognise_beads(composed).beads.size(), 3u);
 }
 
+/// The line at x = 90 passes no bead; the edge at (90, 40) is kept, and the others go.
+TEST(CompositeFaces, AnEdgeThatTheUserKeepsStays) {
+  BeadPlate plate(240, 120);
+  plate.add(examples::straight_bead(60, 16), 5);
+  Panel panel = test::with_segment_edges(plate.take());
+  test::FaceSplitter(panel, 1).split([](Vec3 p) { return (p.x > 60) + (p.x > 90); });
+  ASSERT_EQ(panel.faces.size(), 4u);
+  const Vec3 on_edge = [&] {
+    for (const PanelEdge& edge : panel.edges)
+      for (const Index n : edge.points)
+        if (edge.faces.size() == 2 && edge.faces[0] != 0 && edge.faces[1] != 0 && panel.points[n].x > 80)
+          return panel.points[n];
+    return Vec3{};
+  }();
+  ASSERT_GT(on_edge.x, 80);
+  EXPECT_EQ(compose_faces(panel).faces.size(), 2u);
+  const std::vector<Vec3> kept{on_edge};
+  const Panel composed = compose_faces(panel, {}, {}, kept);
+  EXPECT_EQ(composed.faces.size(), 3u);
+  EXPECT_TRUE(composed.diagnostics.empty());
+  const std::vector<Vec3> nowhere{{0, 0, 500.25}};
+  const Panel missed = compose_faces(panel, {}, {}, nowhere);
+  EXPECT_EQ(missed.faces.size(), 2u);
+  ASSERT_EQ(missed.diagnostics.size(), 1u);
+  EXPECT_EQ(missed.diagnostics[0].code, "control.keep_edge");
+  EXPECT_NE(missed.diagnostics[0].message.find("(0, 0, 500.25)"), std::string::npos);
+}
+
 TEST(CompositeFaces, WhereEveryBeadIsOneFaceNothingIsJoined) {
   EXPECT_TRUE(composite_faces(plate_of_every_kind()).empty());
 }

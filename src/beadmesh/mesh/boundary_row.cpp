@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadmesh/mesh/loop_offset.h"
+
 namespace beadmesh {
 namespace {
 
@@ -20,33 +22,6 @@ bool is_smooth(const Polygon& p) {
   const size_t n = p.size();
   for (size_t i = 0; i < n; ++i)
     if (angle_between(p[(i + 1) % n] - p[i], p[i] - p[(i + n - 1) % n]) > sharpest_turn) return false;
-  return true;
-}
-
-/// Inward by the same distance everywhere, along the bisectors.
-Polygon offset_by(const Polygon& p, double distance_in) {
-  const size_t n = p.size();
-  Polygon out;
-  for (size_t i = 0; i < n; ++i) {
-    const Vec2 before = normalized(p[i] - p[(i + n - 1) % n]), after = normalized(p[(i + 1) % n] - p[i]);
-    const Vec2 inward = normalized(left_normal(before) + left_normal(after));
-    out.push_back(p[i] + inward * (distance_in / std::max(0.5, dot(inward, left_normal(after)))));
-  }
-  return out;
-}
-
-double squared_distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 u = b - a;
-  const double t = std::clamp(dot(p - a, u) / std::max(squared_norm(u), 1e-300), 0.0, 1.0);
-  return squared_norm(a + u * t - p);
-}
-
-bool edges_keep_length(const Polygon& outer, const Polygon& inner, double least) {
-  const size_t n = inner.size();
-  for (size_t i = 0; i < n; ++i) {
-    const Vec2 edge = inner[(i + 1) % n] - inner[i];
-    if (norm(edge) < least || dot(edge, outer[(i + 1) % n] - outer[i]) <= 0) return false;
-  }
   return true;
 }
 
@@ -82,7 +57,7 @@ std::optional<std::vector<Vec2>> boundary_row(const NodeLoops& loops, const Boun
   const double least = 1.06 * options.min_edge;
   for (double width : {0.9 * options.size, 0.7 * options.size, 1.1 * options.min_edge}) {
     if (width < least) continue;
-    const Polygon inner = offset_by(outer, width);
+    const Polygon inner = offset_into_face(outer, width);
     if (edges_keep_length(outer, inner, least) && keeps_clear(inner, loops, width) &&
         leaves_room(inner, options.size))
       return inner;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
+
+#include "beadmesh/mesh/strips.h"
 
 namespace beadmesh {
 namespace {
@@ -15,24 +18,42 @@ class ParitySolver {
     for (size_t c = 0; c < counts.size(); ++c) {
       const double length = chains.chains[c].length(), room = 1.04 * options.min_edge;
       const bool uniform = options.sizing.empty();
-      wanted_.push_back(uniform ? length / options.size : options.sizing[c].count());
-      room_.push_back(uniform ? length / room : wanted_[c] * options.sizing[c].finest / room);
+      const double count = uniform ? length / options.size : options.sizing[c].count();
+      wanted_.push_back(options.longer.empty() ? count : count * (1 + options.longer[c] / length));
+      room_.push_back(uniform ? length / room : count * options.sizing[c].finest / room);
       fixed_.push_back(counts[c] > 0);
       // A closed chain needs four nodes to bound anything; open ones may be a single element.
       least_.push_back(chains.chains[c].closed ? 4 : 1);
       if (!fixed_[c]) counts[c] = natural_count(Index(c));
     }
+    strips_.emplace(chains, free_faces, wanted_);
   }
 
   void run() {
+    for (const auto& group : strips_->groups()) give_one_count(group);
     for (Index face = 0; face < Index(free_faces_.size()); ++face)
       if (free_faces_[face]) give_loops_four_nodes(face);
     for (Index face = 0; face < Index(free_faces_.size()); ++face)
-      if (free_faces_[face] && is_odd(face)) mend(face);
+      if (free_faces_[face] && is_odd(face) && !mend(face, true)) mend(face, false);
   }
 
  private:
   int least_count(Index c) const { return least_[c]; }
+
+  /// All chains across a run of strips: what is set already, else what suits them in the mean. Chains that
+  /// have no room for it stay as they are.
+  void give_one_count(const std::vector<Index>& group) {
+    int set = 0, least = 1, most = 1 << 30;
+    double wanted = 0;
+    for (const Index c : group) {
+      if (fixed_[c]) set = set == 0 ? counts_[c] : set;
+      least = std::max(least, least_count(c)), most = std::min(most, most_count(c));
+      wanted += wanted_[c] / double(group.size());
+    }
+    const int count = set > 0 ? set : std::clamp(int(std::lround(wanted)), least, std::max(least, most));
+    for (const Index c : group)
+      if (!fixed_[c] && count <= most_count(c)) counts_[c] = count;
+  }
 
   /// A loop of a few short chains needs four nodes as well: without them its face would be lost.
   void give_loops_four_nodes(Index face) {
@@ -79,7 +100,9 @@ class ParitySolver {
   }
 
   /// Cheapest path over changeable chains from an odd face to the outside or to another odd face (Dijkstra).
-  void mend(Index start) {
+  /// `straight`: a path that enters a strip leaves it on the opposite side, so that its rows stay whole.
+  /// False where there is no path.
+  bool mend(Index start, bool straight) {
     const Index outside = Index(free_faces_.size());
     std::vector<double> best(free_faces_.size() + 1, 1e300);
     std::vector<Index> by(best.size(), no_index), from(best.size(), no_index);
@@ -91,17 +114,27 @@ class ParitySolver {
       const auto [so_far, face] = queue.top();
       queue.pop();
       if (so_far > best[face]) continue;
-      if (face == outside || (face != start && is_odd(face))) return change_path(face, start, by, from);
+      if (face == outside || (face != start && is_odd(face))) {
+        change_path(face, start, by, from);
+        return true;
+      }
       for (const auto& loop : chains_.loops[face])
         for (const ChainUse& use : loop) {
           const Index next = across(use.chain, face, outside);
           if (next == no_index || best[face] + cost(use.chain) >= best[next]) continue;
+          if (straight && face != start && !may_leave(face, by[face], use.chain)) continue;
           best[next] = best[face] + cost(use.chain);
           by[next] = use.chain;
           from[next] = face;
           queue.push({best[next], next});
         }
     }
+    return false;
+  }
+
+  bool may_leave(Index face, Index entered, Index chain) const {
+    const Index opposite = strips_->opposite(face, entered);
+    return opposite == no_index || opposite == chain;
   }
 
   Index across(Index c, Index face, Index outside) const {
@@ -113,8 +146,17 @@ class ParitySolver {
   }
 
   void change_path(Index end, Index start, const std::vector<Index>& by, const std::vector<Index>& from) {
-    for (Index face = end; face != start; face = from[face])
-      counts_[by[face]] = changed(by[face], counts_[by[face]]);
+    // Chains across a run of strips change together, all in one direction.
+    Index last = no_index;
+    int step = 0;
+    for (Index face = end; face != start; face = from[face]) {
+      const Index chain = by[face], group = strips_->group_of(chain);
+      const bool goes_on = last != no_index && group != no_index && group == strips_->group_of(last) &&
+                           counts_[chain] + step >= 1;
+      if (!goes_on) step = changed(chain, counts_[chain]) - counts_[chain];
+      counts_[chain] += step;
+      last = chain;
+    }
   }
 
   const ChainSet& chains_;
@@ -124,6 +166,7 @@ class ParitySolver {
   std::vector<double> room_;    ///< elements of the minimum length
   std::vector<bool> fixed_;
   std::vector<int> least_;  ///< elements that a chain may not go below
+  std::optional<Strips> strips_;
 };
 
 }  // namespace

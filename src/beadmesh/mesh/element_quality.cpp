@@ -1,6 +1,7 @@
 #include "beadmesh/mesh/element_quality.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -83,6 +84,25 @@ double scaled_jacobian(const std::vector<Vec3>& nodes, const MeshElement& elemen
     worst = std::min(worst, scale > 0 ? dot(cross(next, previous), normal) / scale : 0.0);
   }
   return count == 4 ? worst : worst * 2 / std::sqrt(3.0);
+}
+
+double jacobian_ratio(const std::array<double, 4>& corner_areas) {
+  // The determinant of a bilinear map is linear in both parameters.
+  const auto [a, b, c, d] = corner_areas;
+  const double mean = (a + b + c + d) / 4;
+  const double spread = (std::abs(b + c - a - d) + std::abs(c + d - a - b)) / (4 * std::sqrt(3.0));
+  return mean + spread > 0 ? (mean - spread) / (mean + spread) : 0;
+}
+
+double jacobian_ratio(const std::vector<Vec3>& nodes, const MeshElement& element) {
+  if (!is_quad(element)) return 1;
+  const Vec3 normal = normalized(area_normal(nodes, element));
+  std::array<double, 4> areas;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 corner = nodes[element[i]];
+    areas[i] = dot(cross(nodes[element[(i + 1) % 4]] - corner, nodes[element[(i + 3) % 4]] - corner), normal);
+  }
+  return jacobian_ratio(areas);
 }
 
 std::array<double, 2> corner_angles(const std::vector<Vec3>& nodes, const MeshElement& element) {

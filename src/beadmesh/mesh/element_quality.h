@@ -12,6 +12,11 @@ namespace beadmesh {
 /// Smallest corner cross product of unit edges against the element's mean normal (Verdict; triangles times
 /// 2/sqrt(3)). 1 is a square, 0 and below is inverted.
 double scaled_jacobian(const std::vector<Vec3>& nodes, const MeshElement& element);
+/// Least over largest determinant at the 2 x 2 Gauss points of the bilinear map whose corners have these
+/// determinants (areas of the parallelograms of the two sides there); 0 where none is positive.
+double jacobian_ratio(const std::array<double, 4>& corner_areas);
+/// The same of an element, seen along its mean normal; 1 for a triangle. What programs call its Jacobian.
+double jacobian_ratio(const std::vector<Vec3>& nodes, const MeshElement& element);
 /// Smallest and largest corner angle, radians.
 std::array<double, 2> corner_angles(const std::vector<Vec3>& nodes, const MeshElement& element);
 /// Largest angle between the two triangles of a quad over both diagonals, radians; 0 for a triangle.

@@ -63,10 +63,8 @@ Result<PlanarMesh> raw_mesh(const NodeLoops& loops, const SurfaceMap& map, const
   return mesh_by_subdivision(loops, &map, subdivision);
 }
 
-}  // namespace
-
-Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
-                             const FaceMesherOptions& options) {
+Result<PlanarMesh> mesh_between(const NodeLoops& loops, const SurfaceMap& map,
+                                const FaceMesherOptions& options) {
   auto mesh = raw_mesh(loops, map, options);
   if (!mesh) return mesh;
   const SmoothingOptions smoothing{options.size, options.min_edge};
@@ -75,6 +73,17 @@ Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
   smooth(*mesh, &map, smoothing);
   repair_shapes(*mesh, &map, {options.size, options.min_edge});
   return mesh;
+}
+
+}  // namespace
+
+Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
+                             const FaceMesherOptions& options) {
+  const auto washers = washer_rings(loops, options.washers, options.size, options.min_edge);
+  if (!washers.empty())
+    if (const auto outside = mesh_between(outside_of_washers(loops, washers), map, options))
+      return with_washers(loops, washers, *outside);
+  return mesh_between(loops, map, options);
 }
 
 }  // namespace beadmesh

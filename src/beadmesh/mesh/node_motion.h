@@ -19,13 +19,16 @@ struct MotionLimits {
   double aim = 0;            ///< what falls short of this scaled Jacobian is driven towards it; 0: nothing
 };
 
-/// What an optimisation step is after; `surface`: shape and the elements' distance from the surface; `flat`:
-/// these and their warpage.
-enum class MotionAim { mean, worst, edges, surface, flat };
+/// What an optimisation step is after; `even`: worst shapes and evenness; `surface`: shape and the elements'
+/// distance from the surface; `flat`: these and their warpage.
+enum class MotionAim { mean, worst, even, edges, surface, flat };
 
 /// How good one element is: scaled Jacobian on the surface; where the element is turned over in the plane,
 /// below -1.
 double signed_quality(const SurfaceNodes& nodes, const MeshElement& element);
+
+/// Least over largest determinant at the Gauss points (element_quality.h); 1 for triangles.
+double evenness(const SurfaceNodes& nodes, const MeshElement& element);
 
 /// Moves one node at a time. Keeps references to all it is given.
 class NodeMotion {
@@ -40,6 +43,8 @@ class NodeMotion {
   }
   /// Least scaled Jacobian around the node.
   double worst_around(Index node) const;
+  /// Least evenness around the node.
+  double evenness_around(Index node) const;
   /// Largest shortfall of an edge at the node below the minimum edge length, as a share of it; 0: none.
   double shortfall(Index node) const;
 

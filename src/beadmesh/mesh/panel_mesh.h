@@ -7,6 +7,7 @@
 #include "beadmesh/bead/bead_table.h"
 #include "beadmesh/blocking/block_layout.h"
 #include "beadmesh/mesh/element_quality.h"
+#include "beadmesh/mesh/quality_criteria.h"
 #include "beadmesh/mesh/shell_mesh.h"
 
 namespace beadmesh {
@@ -34,6 +35,7 @@ struct PanelMesh {
   std::vector<BeadMeshing> meshing;  ///< per bead
   ShellMesh mesh;
   QualitySummary quality;
+  JudgedMesh judged;  ///< beads in the order of mesh.beads
 };
 
 }  // namespace beadmesh

@@ -41,18 +41,20 @@ class PanelMesher {
         controls_(std::move(controls)),
         context_(context),
         inner_min_edge_(options.min_edge * min_edge_margin),
-        field_(options.size, options.local_sizes),
+        field_(options.size, options.local_sizes, {options.chordal_deviation, 1.05 * inner_min_edge_}),
         chains_(chains_of(panel)),
         nodes_(panel, chains_),
         face_meshes_(panel.faces.size()),
         bead_of_face_(panel.faces.size(), no_index) {
+    // The elements across beads follow their section already.
+    const SizeField of_beads(options.size, options.local_sizes);
     out_.table = studied.table;
     for (size_t b = 0; b < studied.table.beads.size(); ++b)
       bead_of_face_[studied.table.beads[b].faces[0]] = Index(b);
     out_.meshing.resize(studied.table.beads.size());
     for (size_t b = 0; b < controls_.size(); ++b) {
       out_.meshing[b].size =
-          controls_[b].size.value_or(field_.of_face(panel.faces[face_of(Index(b))].facets));
+          controls_[b].size.value_or(of_beads.of_face(panel.faces[face_of(Index(b))].facets));
       out_.meshing[b].min_edge = controls_[b].min_edge.value_or(options.min_edge);
     }
   }
@@ -219,14 +221,38 @@ class PanelMesher {
 
   // ---------------------------------------------------------------- the rest
 
+  /// Closed chains around holes, with what a washer is wide there.
+  void choose_washers() {
+    washer_widths_.assign(chains_.chains.size(), 0.0);
+    for (Index face = 0; face < Index(panel_.faces.size()); ++face) {
+      if (face_meshes_[face] || bead_of_face_[face] != no_index) continue;
+      for (size_t l = 1; l < chains_.loops[face].size(); ++l) {
+        const auto& uses = chains_.loops[face][l];
+        const Chain& chain = chains_.chains[uses[0].chain];
+        const bool is_free = chain.faces[0] == no_index || chain.faces[1] == no_index;
+        if (uses.size() != 1 || !chain.closed || !is_free || nodes_.is_set(uses[0].chain)) continue;
+        washer_widths_[uses[0].chain] =
+            washer_width(options_.washers, chain.length() / pi, size_of_face(face), inner_min_edge_)
+                .value_or(0);
+      }
+    }
+  }
+
   void place_remaining_chains() {
+    choose_washers();
     std::vector<int> counts;
     std::vector<bool> free_faces;
     for (size_t c = 0; c < chains_.chains.size(); ++c)
       counts.push_back(nodes_.is_set(Index(c)) ? nodes_.count(Index(c)) : 0);
     const std::vector<int> before = counts;
+    const auto around = options_.washers.elements_around;
+    for (size_t c = 0; c < counts.size(); ++c)
+      if (around && washer_widths_[c] > 0 && chains_.chains[c].length() / *around > 1.04 * inner_min_edge_)
+        counts[c] = *around;
     for (const auto& mesh : face_meshes_) free_faces.push_back(!mesh.has_value());
-    ChainCountOptions options{options_.size, inner_min_edge_};
+    ChainCountOptions options{options_.size, inner_min_edge_, {}, {}};
+    // Counted in the middle of the first row.
+    for (const double width : washer_widths_) options.longer.push_back(pi * width);
     if (!field_.is_uniform())
       for (const Chain& chain : chains_.chains) options.sizing.push_back(field_.along(panel_, chain));
     assign_chain_counts(chains_, free_faces, counts, options);
@@ -277,6 +303,14 @@ class PanelMesher {
     return b == no_index ? field_.of_face(panel_.faces[face].facets) : out_.meshing[b].size;
   }
 
+  std::vector<Washer> washers_of(Index face) const {
+    std::vector<Washer> out;
+    for (Index l = 1; l < Index(chains_.loops[face].size()); ++l)
+      if (const double width = washer_widths_[chains_.loops[face][l][0].chain]; width > 0)
+        out.push_back({l, options_.washers.rows, width});
+    return out;
+  }
+
   /// Empty where it went well, else the reason.
   std::string mesh_one_face(Index face) {
     const FaceStudy& study = *studied_.studies[face];
@@ -293,7 +327,7 @@ class PanelMesher {
         out.boundary.emplace_back(local, node.id);
       }
     }
-    auto mesh = mesh_face(loops, *study.map, {size_of_face(face), inner_min_edge_});
+    auto mesh = mesh_face(loops, *study.map, {size_of_face(face), inner_min_edge_, washers_of(face)});
     if (!mesh) return mesh.error().message;
     out.mesh = std::move(*mesh);
     face_meshes_[face] = std::move(out);
@@ -316,6 +350,19 @@ class PanelMesher {
     std::vector<MeshElement> elements;
     for (const ShellElement& element : shell.elements) elements.push_back(element.nodes);
     out_.quality = summarise(shell.nodes, elements, options_.min_edge);
+    judge_all(elements);
+  }
+
+  void judge_all(const std::vector<MeshElement>& elements) {
+    std::vector<ElementGroup> parts, beads;
+    for (const ShellPart& part : out_.mesh.parts) parts.push_back({part.name, {}});
+    for (Index e = 0; e < Index(elements.size()); ++e)
+      parts[out_.mesh.elements[e].part].elements.push_back(e);
+    for (const BeadSet& set : out_.mesh.beads)
+      beads.push_back({"bead " + std::to_string(set.bead), set.elements});
+    out_.judged =
+        judge(out_.mesh.nodes, elements,
+              options_.criteria.value_or(criteria_of_sizes(options_.size, options_.min_edge)), parts, beads);
   }
 
   Index listed_bead(Index face) const {
@@ -453,7 +500,8 @@ class PanelMesher {
   SizeField field_;
   ChainSet chains_;
   ChainNodes nodes_;
-  std::vector<int> ring_counts_;  ///< per chain: elements along loops of rings, 0 for others
+  std::vector<int> ring_counts_;       ///< per chain: elements along loops of rings, 0 for others
+  std::vector<double> washer_widths_;  ///< per chain; 0: no hole with a washer
   std::vector<std::optional<FaceMesh>> face_meshes_;
   std::vector<Index> bead_of_face_;
   PanelMesh out_;
@@ -467,6 +515,7 @@ Result<PanelMesh> mesh_studied_panel(const Panel& panel, const StudiedPanel& stu
   if (!controls) return tl::unexpected(controls.error());
   if (auto good = check_local_sizes(options.local_sizes, options.min_edge); !good)
     return tl::unexpected(good.error());
+  if (auto good = check_washers(options.washers); !good) return tl::unexpected(good.error());
   return PanelMesher(panel, studied, options, std::move(*controls), context).run();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "beadmesh/bead/bead_table.h"
@@ -11,7 +12,9 @@
 #include "beadmesh/core/result.h"
 #include "beadmesh/mesh/bead_control.h"
 #include "beadmesh/mesh/panel_mesh.h"
+#include "beadmesh/mesh/quality_criteria.h"
 #include "beadmesh/mesh/size_field.h"
+#include "beadmesh/mesh/washers.h"
 #include "beadmesh/panel/panel.h"
 
 namespace beadmesh {
@@ -22,6 +25,10 @@ struct PanelMesherOptions {
   double thickness = 1;   ///< default 1 mm: written into the properties
   BeadControls controls = {};
   std::vector<LocalSize> local_sizes = {};
+  WasherControl washers = {};
+  double chordal_deviation =
+      0;  ///< default 0, no limit, mm: edges off beads get shorter where curves ask for it
+  std::optional<QualityCriteria> criteria = {};  ///< limits to judge by; none: criteria_of_sizes
 };
 
 /// What the stages before know of each face of the panel; null where it could not be laid flat.

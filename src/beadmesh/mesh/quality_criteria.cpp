@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "beadmesh/mesh/element_quality.h"
 
@@ -28,23 +29,6 @@ double skew_of(const std::vector<Vec3>& nodes, const MeshElement& element) {
     least =
         std::min(least, line_angle(middle[(i + 1) % 3] - nodes[element[i]], middle[i] - middle[(i + 2) % 3]));
   return 90 - least;
-}
-
-/// Of the bilinear map, seen along the mean normal.
-double jacobian_of(const std::vector<Vec3>& nodes, const MeshElement& element) {
-  if (!is_quad(element)) return 1;
-  const Vec3 a = nodes[element[0]], b = nodes[element[1]], c = nodes[element[2]], d = nodes[element[3]];
-  const Vec3 normal = normalized(cross(c - a, d - b));
-  const double gauss = 1 / std::sqrt(3.0);
-  double least = 1e300, largest = -1e300;
-  for (const double u : {-gauss, gauss})
-    for (const double v : {-gauss, gauss}) {
-      const Vec3 along_u = (b - a) * (1 - v) + (c - d) * (1 + v);
-      const Vec3 along_v = (d - a) * (1 - u) + (c - b) * (1 + u);
-      const double determinant = dot(cross(along_u, along_v), normal);
-      least = std::min(least, determinant), largest = std::max(largest, determinant);
-    }
-  return largest > 0 ? least / largest : 0;
 }
 
 /// Rows as in criteria files, but for weights and switches.
@@ -78,6 +62,29 @@ QualityCriteria criteria_of(const PresetLimits& limits) {
   criteria[triangle_share] = between(0, limits.triangles, 3 * limits.triangles);
   return criteria;
 }
+
+Vec3 normal_of(const std::vector<Vec3>& nodes, const MeshElement& e) {
+  const Vec3 a = nodes[e[0]], b = nodes[e[1]], c = nodes[e[2]];
+  return is_quad(e) ? cross(c - a, nodes[e[3]] - b) : cross(b - a, c - a);
+}
+
+/// Elements around each node, one list behind the other.
+struct Stars {
+  std::vector<Index> first, elements;
+
+  Stars(size_t nodes, const std::vector<MeshElement>& all) : first(nodes + 1, 0) {
+    for (const MeshElement& e : all)
+      for (int i = 0; i < corner_count(e); ++i) ++first[e[i] + 1];
+    for (size_t n = 0; n < nodes; ++n) first[n + 1] += first[n];
+    elements.resize(first.back());
+    std::vector<Index> at(first.begin(), first.end() - 1);
+    for (Index k = 0; k < Index(all.size()); ++k)
+      for (int i = 0; i < corner_count(all[k]); ++i) elements[at[all[k][i]]++] = k;
+  }
+};
+
+/// What is measured of one element.
+using Values = std::array<std::optional<double>, measure_count>;
 
 void take(MeasureFindings& findings, const Criterion& criterion, double value, Index element) {
   const bool is_worse =
@@ -132,7 +139,7 @@ std::optional<double> measured(const std::vector<Vec3>& nodes, const MeshElement
     case QualityMeasure::skew:
       return skew_of(nodes, element);
     case QualityMeasure::jacobian:
-      return jacobian_of(nodes, element);
+      return jacobian_ratio(nodes, element);
     case QualityMeasure::chordal_deviation:
     case QualityMeasure::triangle_share:
       break;
@@ -144,31 +151,99 @@ bool CriteriaFindings::holds() const {
   return failing == 0 && (*this)[QualityMeasure::triangle_share].failed == 0;
 }
 
-CriteriaFindings judge(const std::vector<Vec3>& nodes, const std::vector<MeshElement>& elements,
-                       const QualityCriteria& criteria, const std::vector<Index>& group) {
-  CriteriaFindings findings;
-  int triangles = 0;
-  const auto look = [&](Index at) {
-    const MeshElement& element = elements[at];
-    ++findings.elements;
-    triangles += !is_quad(element);
+bool fails_any(const std::vector<Vec3>& nodes, const MeshElement& element, const QualityCriteria& criteria) {
+  for (int m = 0; m < measure_count; ++m) {
+    if (!criteria.of[m].on) continue;
+    const auto value = measured(nodes, element, static_cast<QualityMeasure>(m));
+    if (value && criteria.of[m].fails(*value)) return true;
+  }
+  return false;
+}
+
+std::vector<double> chordal_deviations(const std::vector<Vec3>& nodes,
+                                       const std::vector<MeshElement>& elements) {
+  static const double smooth_turn = std::cos(radians(40));
+  const Stars stars(nodes.size(), elements);
+  std::vector<Vec3> unit;
+  for (const MeshElement& e : elements) unit.push_back(normalized(normal_of(nodes, e)));
+  const auto normal_at = [&](Index node, Index element) {
+    Vec3 sum;
+    for (Index k = stars.first[node]; k < stars.first[node + 1]; ++k)
+      if (dot(unit[stars.elements[k]], unit[element]) > smooth_turn) sum += unit[stars.elements[k]];
+    return normalized(sum);
+  };
+  std::vector<double> out(elements.size(), 0);
+  for (Index k = 0; k < Index(elements.size()); ++k) {
+    const MeshElement& e = elements[k];
+    std::array<Vec3, 4> normal;
+    for (int i = 0; i < corner_count(e); ++i) normal[i] = normal_at(e[i], k);
+    for (int i = 0; i < corner_count(e); ++i)
+      for (int j = 0; j < i; ++j)
+        out[k] = std::max(out[k], std::abs(dot(normal[i] - normal[j], nodes[e[i]] - nodes[e[j]])) / 8);
+  }
+  return out;
+}
+
+namespace {
+
+/// Values of all elements, measured once for all groups they are in.
+class Judge {
+ public:
+  Judge(const std::vector<Vec3>& nodes, const std::vector<MeshElement>& elements,
+        const QualityCriteria& criteria)
+      : elements_(elements), criteria_(criteria), values_(elements.size()) {
+    const std::vector<double> deviations = chordal_deviations(nodes, elements);
+    for (size_t e = 0; e < elements.size(); ++e) {
+      for (int m = 0; m < measure_count; ++m)
+        values_[e][m] = measured(nodes, elements[e], static_cast<QualityMeasure>(m));
+      values_[e][static_cast<size_t>(QualityMeasure::chordal_deviation)] = deviations[e];
+    }
+  }
+
+  template <class Positions>
+  CriteriaFindings findings(const Positions& positions) const {
+    CriteriaFindings out;
+    int triangles = 0;
+    for (const Index e : positions) {
+      ++out.elements;
+      triangles += !is_quad(elements_[e]);
+      out.failing += look(e, out);
+    }
+    if (out.elements > 0)
+      take(out.of[static_cast<size_t>(QualityMeasure::triangle_share)],
+           criteria_[QualityMeasure::triangle_share], 100.0 * triangles / out.elements, no_index);
+    return out;
+  }
+
+ private:
+  bool look(Index e, CriteriaFindings& out) const {
     bool fails = false;
     for (int m = 0; m < measure_count; ++m) {
-      const auto value = measured(nodes, element, static_cast<QualityMeasure>(m));
+      const auto& value = values_[e][m];
       if (!value) continue;
-      take(findings.of[m], criteria.of[m], *value, at);
-      fails |= criteria.of[m].on && criteria.of[m].fails(*value);
+      take(out.of[m], criteria_.of[m], *value, e);
+      fails |= criteria_.of[m].on && criteria_.of[m].fails(*value);
     }
-    findings.failing += fails;
-  };
-  if (group.empty())
-    for (Index e = 0; e < static_cast<Index>(elements.size()); ++e) look(e);
-  else
-    for (const Index e : group) look(e);
-  if (findings.elements > 0)
-    take(findings.of[static_cast<size_t>(QualityMeasure::triangle_share)],
-         criteria[QualityMeasure::triangle_share], 100.0 * triangles / findings.elements, no_index);
-  return findings;
+    return fails;
+  }
+
+  const std::vector<MeshElement>& elements_;
+  const QualityCriteria& criteria_;
+  std::vector<Values> values_;
+};
+
+}  // namespace
+
+JudgedMesh judge(const std::vector<Vec3>& nodes, const std::vector<MeshElement>& elements,
+                 const QualityCriteria& criteria, const std::vector<ElementGroup>& parts,
+                 const std::vector<ElementGroup>& beads) {
+  const Judge judging(nodes, elements, criteria);
+  std::vector<Index> all(elements.size());
+  std::iota(all.begin(), all.end(), 0);
+  JudgedMesh out{criteria, {{"all", judging.findings(all)}}, {}};
+  for (const ElementGroup& part : parts) out.parts.push_back({part.name, judging.findings(part.elements)});
+  for (const ElementGroup& bead : beads) out.beads.push_back({bead.name, judging.findings(bead.elements)});
+  return out;
 }
 
 }  // namespace beadmesh

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,7 +27,8 @@ enum class QualityMeasure {
                       ///< triangle: 90 less the smallest angle between a median and the line joining the
                       ///< middles of the two sides at its corner
   jacobian,           ///< least over largest determinant at the 2 x 2 Gauss points; 1 for triangles
-  chordal_deviation,  ///< needs the surface: not measured on a mesh alone
+  chordal_deviation,  ///< sagitta of the longest bow over a side or diagonal, by the normals of the
+                      ///< neighbours
   triangle_share,     ///< of the whole part, per cent
 };
 constexpr int measure_count = 12;
@@ -67,9 +69,19 @@ std::optional<QualityCriteria> criteria_of_preset(std::string_view preset);
 QualityCriteria criteria_of_sizes(double size, double min_edge);
 
 /// Value of one element; none where the measure does not apply to it. Neither chordal deviation nor the share
-/// of triangles is a value of an element.
+/// of triangles is a value of an element alone.
 std::optional<double> measured(const std::vector<Vec3>& nodes, const MeshElement& element,
                                QualityMeasure measure);
+
+/// Does the element fail any criterion that is on and that is a value of an element alone?
+bool fails_any(const std::vector<Vec3>& nodes, const MeshElement& element, const QualityCriteria& criteria);
+
+/// Chordal deviation of each element: by how much a smooth surface through its nodes would bow over its sides
+/// and diagonals. The normal at a node is the mean of those of the elements around it that turn by less than
+/// 40 degrees from the element's own, so that sharp edges do not count; a bow over the chord c between
+/// normals m and n has the sagitta |(n - m) . c| / 8.
+std::vector<double> chordal_deviations(const std::vector<Vec3>& nodes,
+                                       const std::vector<MeshElement>& elements);
 
 /// What one measure finds in a group of elements.
 struct MeasureFindings {
@@ -87,9 +99,27 @@ struct CriteriaFindings {
   bool holds() const;  ///< nothing fails, the share of triangles neither
 };
 
-/// Judges the elements at the positions in `group`; all where it is empty. Measures that are off are measured
-/// and not judged.
-CriteriaFindings judge(const std::vector<Vec3>& nodes, const std::vector<MeshElement>& elements,
-                       const QualityCriteria& criteria, const std::vector<Index>& group = {});
+/// A part or a bead: positions in the list of elements.
+struct ElementGroup {
+  std::string name;
+  std::vector<Index> elements;
+};
+
+struct GroupFindings {
+  std::string name;
+  CriteriaFindings findings;
+};
+
+/// A judged mesh: the limits and what they find. Empty `parts`: not judged.
+struct JudgedMesh {
+  QualityCriteria criteria;
+  std::vector<GroupFindings> parts;  ///< "all" first, then each property
+  std::vector<GroupFindings> beads;
+};
+
+/// Judges the whole mesh and each of the groups. Measures that are off are measured and not judged.
+JudgedMesh judge(const std::vector<Vec3>& nodes, const std::vector<MeshElement>& elements,
+                 const QualityCriteria& criteria, const std::vector<ElementGroup>& parts = {},
+                 const std::vector<ElementGroup>& beads = {});
 
 }  // namespace beadmesh

@@ -23,7 +23,37 @@ constexpr double irregular_cost = 0.006, triangle_cost = 0.2;
 /// A mesh that is poor all over is not repaired zone by zone: zones looked at in a round, and zones tried in
 /// vain in all.
 constexpr int most_failures = 5;
+/// Elements in all that is tried for evenness and length, so that the time stays linear: so many, and one for
+/// each of the mesh.
+constexpr size_t least_budget = 4000;
+/// Where shape is good and only evenness or length is not, movements and small zones help, or nothing does.
+constexpr int most_rings_uneven = 3;
 constexpr int fewest_zones = 40, share_of_elements = 100;
+
+/// Evenness is put on the scale of scaled Jacobians: what programs let fail under 0.6 is wanted from 0.62 on.
+constexpr double evenness_offset = 0.03;
+/// Sides longer than this many sizes fail.
+constexpr double longest_side = 2;
+
+/// Angles first, by all that can be tried; then, in small zones, what else fails.
+enum class Aim { shape, all };
+
+/// How good an element is by the criteria that fail: angles (the scaled Jacobian), evenness and long sides,
+/// on the scale of the first. Sides between fixed nodes are given.
+double standing(const SurfaceNodes& nodes, const std::vector<NodeFreedom>& freedom,
+                const MeshElement& element, const ShapeRepairOptions& options, Aim aim) {
+  const double shape = signed_quality(nodes, element);
+  if (shape <= 0 || aim == Aim::shape) return shape;
+  double longest = 0;
+  for (int i = 0; i < corner_count(element); ++i) {
+    const Index a = element[i], b = element[(i + 1) % corner_count(element)];
+    if (freedom[a] != NodeFreedom::fixed || freedom[b] != NodeFreedom::fixed)
+      longest = std::max(longest, distance(nodes.space(a), nodes.space(b)));
+  }
+  const double limit = longest_side * options.size;
+  const double length = longest > limit ? options.wanted * limit / longest - 1e-3 : 1;
+  return std::min({shape, evenness(nodes, element) + evenness_offset, length});
+}
 
 /// A few elements of a mesh as a mesh of their own, everything on their outline fixed.
 struct Zone {
@@ -58,14 +88,16 @@ Zone zone_of(const PlanarMesh& whole, const QuadConnectivity& connectivity,
 
 class ShapeRepair {
  public:
-  ShapeRepair(PlanarMesh& mesh, const SurfaceMap* map, const ShapeRepairOptions& options)
-      : mesh_(mesh), connectivity_(mesh), map_(map), options_(options) {}
+  /// `budget`: elements that may still be tried where the aim is not shape.
+  ShapeRepair(PlanarMesh& mesh, const SurfaceMap* map, const ShapeRepairOptions& options, Aim aim,
+              long& budget)
+      : mesh_(mesh), connectivity_(mesh), map_(map), options_(options), aim_(aim), budget_(budget) {}
 
   /// One round; counts what it tries in vain in `failed`.
   int run(int& failed) {
     int exchanged = 0;
     for (const Index e : poor_elements()) {
-      if (failed >= most_failures) break;
+      if (failed >= most_failures || (aim_ == Aim::all && budget_ <= 0)) break;
       if (!connectivity_.is_alive(e) || shape_of(e) >= options_.wanted || is_near_given(e)) continue;
       ++(repair(e) ? exchanged : failed);
     }
@@ -100,16 +132,19 @@ class ShapeRepair {
   double shape_of(Index e) const {
     const MeshElement& element = connectivity_.element(e);
     PlanarMesh one;
-    for (int i = 0; i < corner_count(element); ++i) one.nodes.push_back(mesh_.nodes[element[i]]);
+    for (int i = 0; i < corner_count(element); ++i) {
+      one.nodes.push_back(mesh_.nodes[element[i]]);
+      one.freedom.push_back(mesh_.freedom[element[i]]);
+    }
     one.elements.push_back({0, 1, 2, is_quad(element) ? 3 : no_index});
-    return signed_quality(SurfaceNodes(one.nodes, map_), one.elements[0]);
+    return standing(SurfaceNodes(one.nodes, map_), one.freedom, one.elements[0], options_, aim_);
   }
 
   std::vector<Index> poor_elements() const {
     const SurfaceNodes nodes(mesh_.nodes, map_);
     std::vector<std::pair<double, Index>> poor;
     for (Index e = 0; e < Index(mesh_.elements.size()); ++e) {
-      const double shape = signed_quality(nodes, mesh_.elements[e]);
+      const double shape = standing(nodes, mesh_.freedom, mesh_.elements[e], options_, aim_);
       if (shape < options_.wanted) poor.emplace_back(shape, e);
     }
     std::sort(poor.begin(), poor.end());
@@ -125,7 +160,7 @@ class ShapeRepair {
     std::vector<int> valence(zone.nodes.size(), 0);
     int triangles = 0, irregular = 0;
     for (const MeshElement& e : zone.elements) {
-      worth.worst = std::min(worth.worst, signed_quality(nodes, e));
+      worth.worst = std::min(worth.worst, standing(nodes, zone.freedom, e, options_, aim_));
       triangles += !is_quad(e);
       for (int i = 0; i < corner_count(e); ++i) {
         ++valence[e[i]];
@@ -141,8 +176,8 @@ class ShapeRepair {
   }
 
   /// All that is tried on one zone; the better of what came before and this is kept in `best`.
-  void polish(PlanarMesh zone, const Worth& before, std::optional<PlanarMesh>& best,
-              Worth& best_worth) const {
+  void polish(PlanarMesh zone, const Worth& before, std::optional<PlanarMesh>& best, Worth& best_worth) {
+    budget_ -= static_cast<long>(zone.elements.size());
     const SmoothingOptions smoothing{options_.size, options_.min_edge};
     smooth(zone, map_, smoothing);
     clean_up(zone, map_, {}, {options_.size, options_.min_edge});
@@ -205,7 +240,7 @@ class ShapeRepair {
   };
 
   /// The best that can be made of the elements within so many rings; nothing where it is not clearly better.
-  std::optional<Candidate> best_zone(Index seed, const std::vector<Index>& elements, int rings) const {
+  std::optional<Candidate> best_zone(Index seed, const std::vector<Index>& elements, int rings) {
     Zone zone = zone_of(mesh_, connectivity_, elements);
     const Worth before = worth_of(zone.mesh);
     Worth worth = before;
@@ -226,7 +261,8 @@ class ShapeRepair {
   bool repair(Index seed) {
     std::optional<Candidate> best;
     size_t before = 0;
-    for (int rings = fewest_rings; rings <= most_rings && (!best || best->worst < options_.wanted); ++rings) {
+    const int largest = aim_ == Aim::all ? most_rings_uneven : most_rings;
+    for (int rings = fewest_rings; rings <= largest && (!best || best->worst < options_.wanted); ++rings) {
       const std::vector<Index> elements = elements_within(connectivity_, seed, rings);
       if (elements.size() == before) break;  // the whole mesh
       before = elements.size();
@@ -256,16 +292,22 @@ class ShapeRepair {
   QuadConnectivity connectivity_;
   const SurfaceMap* map_;
   ShapeRepairOptions options_;
+  Aim aim_;
+  long& budget_;
 };
 
 }  // namespace
 
 int repair_shapes(PlanarMesh& mesh, const SurfaceMap* map, const ShapeRepairOptions& options) {
-  int exchanged = 0, failed = 0;
-  for (int round = 0; round < most_rounds; ++round) {
-    const int now = ShapeRepair(mesh, map, options).run(failed);
-    exchanged += now;
-    if (now == 0) break;
+  int exchanged = 0;
+  for (const Aim aim : {Aim::shape, Aim::all}) {
+    int failed = 0;
+    long budget = static_cast<long>(least_budget + mesh.elements.size());
+    for (int round = 0; round < most_rounds; ++round) {
+      const int now = ShapeRepair(mesh, map, options, aim, budget).run(failed);
+      exchanged += now;
+      if (now == 0) break;
+    }
   }
   return exchanged;
 }

@@ -15,6 +15,10 @@ constexpr double min_edge_margin = 1.005;
 /// more to strive for.
 constexpr double regular_jacobian = 0.885;
 
+/// Elements whose least determinant at the Gauss points is under this share of the largest are worked on, up
+/// to the second.
+constexpr double least_evenness = 0.63, good_evenness = 0.68;
+
 /// Shape and edge length of the whole mesh, one stage of node movements after the other.
 class Smoother {
  public:
@@ -35,6 +39,7 @@ class Smoother {
     sweep(all_nodes(), options_.optimisation_passes, 0.97,
           [&](Index node) { return motion_.optimise(node, MotionAim::mean); });
     improve_worst(0.75);
+    even_out();
     lengthen_short_edges();
     const bool given_up = options_.surface_passes > 0 && worst() < options_.hopeless;
     if (options_.surface_passes > 0 && !given_up) near_surface();
@@ -111,6 +116,24 @@ class Smoother {
   void improve_worst(double below) {
     sweep(nodes_of_worst(below), options_.optimisation_passes, below,
           [&](Index node) { return motion_.optimise(node, MotionAim::worst); });
+  }
+
+  /// Uneven elements fail where the others do not care; what moves to help them keeps its shape.
+  void even_out() {
+    std::vector<bool> marked(connectivity_.node_count(), false);
+    for (const MeshElement& element : mesh_.elements)
+      if (evenness(nodes_, element) < least_evenness)
+        for (int i = 0; i < corner_count(element); ++i) marked[element[i]] = true;
+    std::vector<Index> active = widened(movable(marked));
+    const double still = 5e-3 * options_.size;
+    for (int pass = 0; pass < options_.optimisation_passes && !active.empty(); ++pass) {
+      std::vector<Index> moved;
+      for (const Index node : active)
+        if (motion_.evenness_around(node) < good_evenness && motion_.optimise(node, MotionAim::even) &&
+            motion_.last_step() > still)
+          moved.push_back(node);
+      active = widened(moved);
+    }
   }
 
   /// Shape and distance first, then warpage is taken away from what has both.

@@ -1,6 +1,7 @@
 #include "beadmesh/read/nastran_reader.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -87,7 +88,7 @@ class DeckBuilder {
       if (!node || *node < 1) return bad_card(card, "cannot be read");
       nodes[k] = *node;
     }
-    builder_.add_shell(*property, nodes, card.line);
+    builder_.add_shell(*property, nodes, card.line, *id);
     return {};
   }
 
@@ -112,6 +113,67 @@ size_t start_of_bulk(std::string_view text) {
     at = end + 1;
   }
   return 0;
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  constexpr std::string_view gaps = " \t\r,=";
+  for (size_t at = text.find_first_not_of(gaps); at != std::string_view::npos;
+       at = text.find_first_not_of(gaps, at)) {
+    const size_t end = std::min(text.find_first_of(gaps, at), text.size());
+    words.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
+/// "12,15 THRU 20" after "SET 7 ="; none where it is anything else. A THRU of absurd length is nothing.
+std::optional<std::vector<Index>> members_of(const std::vector<std::string_view>& words) {
+  constexpr size_t most = 10'000'000;
+  std::vector<Index> members;
+  for (size_t i = 2; i < words.size(); ++i) {
+    if (upper_case(words[i]) != "THRU") {
+      const auto number = deck_integer(words[i]);
+      if (!number) return std::nullopt;
+      members.push_back(*number);
+      continue;
+    }
+    const auto last = i + 1 < words.size() ? deck_integer(words[i + 1]) : std::nullopt;
+    if (!last || members.empty() || *last < members.back() ||
+        members.size() + size_t(*last - members.back()) > most)
+      return std::nullopt;
+    for (Index k = members.back() + 1; k <= *last; ++k) members.push_back(k);
+    ++i;
+  }
+  return members;
+}
+
+/// SET entries; a line that ends in a comma goes on.
+std::vector<DeckSet> sets_of(std::string_view control) {
+  std::vector<DeckSet> sets;
+  std::map<Index, std::string> names;
+  std::string entry;
+  const auto take = [&] {
+    const auto words = words_of(entry);
+    const auto id = words.size() > 2 && upper_case(words[0]) == "SET" ? deck_integer(words[1]) : std::nullopt;
+    if (id)
+      if (auto members = members_of(words)) sets.push_back({*id, names[*id], std::move(*members)});
+    entry.clear();
+  };
+  for (size_t at = 0; at < control.size();) {
+    const size_t end = std::min(control.find('\n', at), control.size());
+    const std::string_view line = trimmed(control.substr(at, end - at));
+    at = end + 1;
+    const size_t colon = line.find(':');
+    if (line.rfind("$ set ", 0) == 0 && colon != std::string_view::npos)
+      if (const auto id = deck_integer(trimmed(line.substr(6, colon - 6))))
+        names[*id] = trimmed(line.substr(colon + 1));
+    if (line.empty() || line.front() == '$') continue;
+    entry += line;
+    if (line.back() != ',') take();
+  }
+  take();
+  return sets;
 }
 
 }  // namespace
@@ -140,7 +202,9 @@ Result<ShellDeck> parse_nastran(std::string_view text) {
     if (name == "ENDDATA") break;
   }
   if (auto taken = builder.take(card); !taken) return tl::make_unexpected(taken.error());
-  return builder.deck();
+  auto deck = builder.deck();
+  if (deck) deck->sets = sets_of(text.substr(0, start));
+  return deck;
 }
 
 }  // namespace beadmesh

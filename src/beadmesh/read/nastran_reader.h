@@ -9,8 +9,9 @@
 namespace beadmesh {
 
 /// GRID, CQUAD4 and CTRIA3 (CQUADR, CTRIAR alike) and PSHELL in small, large and free field; other cards are
-/// passed over. Fails with read.nastran.*: a card that cannot be read (with its line), a node that is missing
-/// or defined twice, a coordinate system other than the basic one, INCLUDE, no shells.
+/// passed over, but for SET in the case control (what is not understood there is passed over). Fails with
+/// read.nastran.*: a card that cannot be read (with its line), a node that is missing or defined twice, a
+/// coordinate system other than the basic one, INCLUDE, no shells.
 Result<ShellDeck> parse_nastran(std::string_view text);
 
 }  // namespace beadmesh

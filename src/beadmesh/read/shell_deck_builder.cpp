@@ -64,8 +64,9 @@ Result<void> ShellDeckBuilder::add_node(Index id, Vec3 point, int line) {
   return {};
 }
 
-void ShellDeckBuilder::add_shell(Index property, std::array<Index, 4> nodes, int line) {
+void ShellDeckBuilder::add_shell(Index property, std::array<Index, 4> nodes, int line, Index id) {
   deck_.elements.push_back(nodes);
+  deck_.element_ids.push_back(id > 0 ? id : Index(deck_.elements.size()));
   deck_.properties.push_back(property);
   lines_.push_back(line);
 }

@@ -33,8 +33,8 @@ class ShellDeckBuilder {
   explicit ShellDeckBuilder(std::string prefix) : prefix_(std::move(prefix)) {}
 
   Result<void> add_node(Index id, Vec3 point, int line);
-  /// Ids of its nodes; the fourth of a triangle is no_index.
-  void add_shell(Index property, std::array<Index, 4> nodes, int line);
+  /// Ids of its nodes; the fourth of a triangle is no_index. `id` 0: its position from 1.
+  void add_shell(Index property, std::array<Index, 4> nodes, int line, Index id = 0);
   void add_property(DeckProperty property) { deck_.property_cards.push_back(std::move(property)); }
   ShellDeck& deck() { return deck_; }
 

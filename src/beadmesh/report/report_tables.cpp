@@ -206,7 +206,8 @@ std::string quality(const PanelMesh& mesh, const ReportFacts& facts) {
                                        {"near the limit", true, "elements past the warning limit"},
                                        {"failed", true, "elements past the limit"},
                                        {"verdict"}};
-  const CriteriaFindings found = judge(mesh.mesh.nodes, elements_of(mesh.mesh), *facts.criteria);
+  const CriteriaFindings found =
+      judge(mesh.mesh.nodes, elements_of(mesh.mesh), *facts.criteria).parts.front().findings;
   std::string rows;
   int failed = 0;
   for (int m = 0; m < measure_count; ++m) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "beadmesh/write/json_lines.h"
@@ -47,10 +48,37 @@ Value row_of(const Panel& panel, const Bead& bead) {
           {"ridge", ridge_of(bead)}};
 }
 
-Value meshing_of(const BeadMeshing& meshing) {
+/// Findings in short: what fails, by criterion; measures that are off are left out.
+Value criteria_of(const JudgedMesh& judged) {
+  const CriteriaFindings& all = judged.parts.front().findings;
+  Value limits, failed;
+  for (int m = 0; m < measure_count; ++m) {
+    if (!judged.criteria.of[m].on) continue;
+    const std::string name(name_of(static_cast<QualityMeasure>(m)));
+    limits[name] = number(judged.criteria.of[m].fail);
+    failed[name] = all.of[m].failed;
+  }
+  return {{"elements", all.elements}, {"failing", all.failing}, {"failed", failed}, {"limits", limits}};
+}
+
+Value quality_of(const PanelMesh& mesh) {
+  Value object = json::quality(mesh.quality);
+  if (!mesh.judged.parts.empty()) object["criteria"] = criteria_of(mesh.judged);
+  return object;
+}
+
+/// Elements of a bead that fail any criterion.
+std::optional<int> failing_of(const PanelMesh& mesh, Index bead) {
+  for (size_t k = 0; k < mesh.judged.beads.size(); ++k)
+    if (mesh.mesh.beads[k].bead == bead) return mesh.judged.beads[k].findings.failing;
+  return std::nullopt;
+}
+
+Value meshing_of(const BeadMeshing& meshing, std::optional<int> failing) {
   Value notes = Value::array();
   for (const std::string& note : meshing.notes) notes.push_back(note);
   Value object{{"method", meshing.method}, {"elements", meshing.elements}};
+  if (failing) object["failing"] = *failing;
   if (meshing.elements_across) object["elements_across"] = meshing.elements_across;
   object["size"] = number(meshing.size);
   object["min_edge"] = number(meshing.min_edge);
@@ -108,7 +136,8 @@ std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh*
   Value beads = Value::array(), rejected = Value::array();
   for (size_t i = 0; i < table.beads.size(); ++i) {
     Value row = row_of(panel, table.beads[i]);
-    if (mesh && i < mesh->meshing.size()) row["mesh"] = meshing_of(mesh->meshing[i]);
+    if (mesh && i < mesh->meshing.size())
+      row["mesh"] = meshing_of(mesh->meshing[i], failing_of(*mesh, table.beads[i].id));
     if (i < designs.size()) row["design"] = design_of(designs[i]);
     beads.push_back(std::move(row));
   }
@@ -126,7 +155,7 @@ std::string text_of(const Panel& panel, const BeadTable& table, const PanelMesh*
     object["mesh"] = Value{{"nodes", mesh->quality.nodes},
                            {"quads", mesh->quality.quads},
                            {"trias", mesh->quality.trias},
-                           {"quality", json::quality(mesh->quality)}};
+                           {"quality", quality_of(*mesh)}};
   object["diagnostics"] = json::diagnostics(table.diagnostics);
   return json::lines_of(object);
 }
