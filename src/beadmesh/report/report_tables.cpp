@@ -37,8 +37,8 @@ std::string number(const std::string& value) {
 }
 
 std::string figure(const std::string& value, const char* name, bool bad = false) {
-  return fmt::format("<div class=\"figure{}\"><dd>{}</dd><dt>{}</dt></div>\n", bad ? " bad" : "", value,
-                     name);
+  return fmt::format("<div class=\"figure{}\"><dt>{}</dt><dd>{}</dd></div>\n", bad ? " bad" : "", name,
+                     value);
 }
 
 /// 12345 as 12,345.
