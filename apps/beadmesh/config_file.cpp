@@ -309,6 +309,8 @@ std::vector<ConfigKey> config_keys() {
   add("[read]", read_keys());
   add("[deck]", deck_keys());
   add("[design]", design_keys());
+  add("[mesh]", mesh_keys());
+  add("[mesh.holes]", hole_keys());
   add("[mesh.bead], [mesh.bead.I], .generic, .annular", control_keys());
   add("[[mesh.beads]]", single_keys());
   add("[[mesh.local_size]]", local_size_keys());

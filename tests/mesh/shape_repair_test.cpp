@@ -103,11 +103,14 @@ TEST(ShapeRepair, RaisesTheWorstShapeAndKeepsTheBoundary) {
       if (loops.nodes.size() % 2) continue;
       auto mesh = mesh_by_subdivision(loops, nullptr, {5, 2.5});
       ASSERT_TRUE(mesh) << mesh.error().message;
-      smooth(*mesh, nullptr, {5, 2.5});
+      SmoothingOptions smoothing{5, 2.5};
+      smoothing.aim = SmoothingOptions::Aim::angles;
+      smooth(*mesh, nullptr, smoothing);
       const double before = worst_jacobian(*mesh), shortest = shortest_edge(*mesh);
       repair_shapes(*mesh, nullptr, {5, 2.5, 0.65});
       const double after = worst_jacobian(*mesh);
-      EXPECT_GE(after, before) << radius << " " << share;
+      // Shape beyond what is wanted may be given up for what fails by evenness.
+      EXPECT_GE(after, std::min(before, 0.65)) << radius << " " << share;
       EXPECT_GE(shortest_edge(*mesh), std::min(2.5, shortest) - 1e-9);
       const auto violations = verify_planar_mesh(*mesh, loops);
       EXPECT_TRUE(violations.empty()) << violations.front();

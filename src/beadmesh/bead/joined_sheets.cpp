@@ -84,13 +84,17 @@ std::vector<Index> edges_at(const Panel& panel, const std::vector<Vec3>& points,
   for (const Vec3 p : points) {
     double nearest = reach;
     Index best = no_index;
+    bool is_inner = false;  // edges of the rim stay anyhow
     for (Index e = 0; e < Index(panel.edges.size()); ++e) {
       const auto& line = panel.edges[e].points;
+      const bool inner = panel.edges[e].faces.size() == 2;
+      if (is_inner && !inner) continue;
       for (size_t i = 1; i < line.size(); ++i) {
         const Vec3 a = panel.points[line[i - 1]], side = panel.points[line[i]] - a;
         const double t = std::clamp(dot(p - a, side) / std::max(squared_norm(side), 1e-300), 0.0, 1.0);
         const double away = distance(p, a + side * t);
-        if (away < nearest) nearest = away, best = e;
+        if (away < nearest || (away < reach && inner && !is_inner))
+          nearest = away, best = e, is_inner = inner;
       }
     }
     if (best == no_index)

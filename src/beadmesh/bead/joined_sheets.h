@@ -15,8 +15,8 @@ struct JoinedSheetOptions {
   std::vector<Index> kept_edges = {};  ///< faces are not joined over them, and do not get into one group
 };
 
-/// The edge of the panel nearest to each point, ascending; points further than `reach` (mm) from every edge
-/// go to `missed`.
+/// The edge of the panel nearest to each point, inner edges before those of the rim, ascending; points
+/// further than `reach` (mm) from every edge go to `missed`.
 std::vector<Index> edges_at(const Panel& panel, const std::vector<Vec3>& points, double reach,
                             std::vector<Vec3>& missed);
 

@@ -120,7 +120,9 @@ class Reliever {
       pillow(trial, relief.block, relief.outline);
     }
     first_new.push_back(Index(trial.elements.size()));
-    smooth(trial, map_, {options_.size, options_.min_edge});
+    SmoothingOptions smoothing{options_.size, options_.min_edge};
+    smoothing.aim = SmoothingOptions::Aim::angles;  // what a relief is judged by
+    smooth(trial, map_, smoothing);
     const std::vector<Vec3> space = positions(trial);
     std::vector<bool> good;
     for (size_t r = 0; r < reliefs.size(); ++r) {

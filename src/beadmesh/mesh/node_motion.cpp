@@ -25,7 +25,7 @@ constexpr int places_of_element = 9;
 constexpr double fair_warpage = radians(12);
 constexpr double warpage_weight = 2;
 /// Distance of crest edges from the surface, as a share of the size, that less warpage is not worth.
-constexpr double crest_share = 0.04;
+constexpr double crest_share = 0.02;
 constexpr double crest_wall = 40;
 /// Least over largest determinant at the Gauss points that is aimed at: programs let elements fail under 0.6.
 constexpr double evenness_aim = 0.68;

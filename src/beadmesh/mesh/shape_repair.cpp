@@ -178,7 +178,8 @@ class ShapeRepair {
   /// All that is tried on one zone; the better of what came before and this is kept in `best`.
   void polish(PlanarMesh zone, const Worth& before, std::optional<PlanarMesh>& best, Worth& best_worth) {
     budget_ -= static_cast<long>(zone.elements.size());
-    const SmoothingOptions smoothing{options_.size, options_.min_edge};
+    SmoothingOptions smoothing{options_.size, options_.min_edge};
+    if (aim_ == Aim::shape) smoothing.aim = SmoothingOptions::Aim::angles;
     smooth(zone, map_, smoothing);
     clean_up(zone, map_, {}, {options_.size, options_.min_edge});
     smooth(zone, map_, smoothing);

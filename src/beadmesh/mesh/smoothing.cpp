@@ -39,7 +39,7 @@ class Smoother {
     sweep(all_nodes(), options_.optimisation_passes, 0.97,
           [&](Index node) { return motion_.optimise(node, MotionAim::mean); });
     improve_worst(0.75);
-    even_out();
+    if (options_.aim == SmoothingOptions::Aim::angles_and_evenness) even_out();
     lengthen_short_edges();
     const bool given_up = options_.surface_passes > 0 && worst() < options_.hopeless;
     if (options_.surface_passes > 0 && !given_up) near_surface();

@@ -18,6 +18,8 @@ struct SmoothingOptions {
   double hopeless =
       -2;  ///< default -2 = never: worst scaled Jacobian under which surface passes are left out
   double flat_floor = 0.858;  ///< default 0.858: scaled Jacobian that is given up for less warpage
+  /// Default: evenness counts as well. Where the worst shape is what is looked for, angles alone.
+  enum class Aim { angles_and_evenness, angles } aim = Aim::angles_and_evenness;
 };
 
 struct SmoothingReport {

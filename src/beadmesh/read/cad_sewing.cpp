@@ -105,14 +105,25 @@ void sew_faces(std::vector<TopoDS_Face>& faces, double tolerance) {
   }
 }
 
+/// Faces of one part each. Systems write loose faces of one panel as components of their own: parts of a
+/// single face are sewn together.
+std::map<Index, std::vector<std::size_t>> faces_to_sew(const CadModel& model) {
+  std::map<Index, int> count;
+  for (const Index part : model.part_of_face) ++count[part];
+  std::map<Index, std::vector<std::size_t>> faces;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    const Index part = model.part_of_face[f];
+    faces[count[part] == 1 ? no_index : part].push_back(f);
+  }
+  return faces;
+}
+
 }  // namespace
 
 void sew(CadModel& model, double tolerance) {
   if (tolerance <= 0) return;
-  std::map<Index, std::vector<std::size_t>> faces_of_part;
-  for (std::size_t f = 0; f < model.faces.size(); ++f) faces_of_part[model.part_of_face[f]].push_back(f);
   std::size_t before = 0, open = 0;
-  for (const auto& [part, faces] : faces_of_part) {
+  for (const auto& [part, faces] : faces_to_sew(model)) {
     std::vector<TopoDS_Face> of_part;
     for (const std::size_t f : faces) of_part.push_back(model.faces[f]);
     before += free_edges_of(of_part).size();
