@@ -64,7 +64,10 @@ class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text) {}
   bool at_end() const { return at_ >= text_.size(); }
-  std::string_view peek() const { return text_.substr(at_, text_.find('\n', at_) + 1 - at_); }
+  std::string_view peek() const {
+    const size_t end = text_.find('\n', at_);
+    return text_.substr(at_, end == std::string_view::npos ? end : end + 1 - at_);
+  }
   std::string_view next() {
     const std::string_view line = peek();
     at_ += line.size();
