@@ -302,7 +302,7 @@ class Mishaps(BatchCase):
         """A limit on the size of files acts as a full disk does on the large ones."""
         self.add_plates(1)
         (self.panels / "wide.stl").write_bytes(plate(500))
-        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (400_000, 400_000))
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1_200_000, 1_200_000))
         result = self.batch(None, status=1, preexec_fn=limit)
         self.assertEqual({"plate_000": "done", "wide": "not written"}, self.outcomes())
         self.assertIn("error write.full", self.summary()["wide"]["message"])
