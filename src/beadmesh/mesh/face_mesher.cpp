@@ -1,9 +1,13 @@
 #include "beadmesh/mesh/face_mesher.h"
 
+#include <algorithm>
+
 #include "beadmesh/mesh/boundary_row.h"
+#include "beadmesh/mesh/node_motion.h"
 #include "beadmesh/mesh/shape_repair.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/subdivision_mesher.h"
+#include "beadmesh/mesh/surface_nodes.h"
 #include "beadmesh/mesh/topological_cleanup.h"
 
 namespace beadmesh {
@@ -75,14 +79,26 @@ Result<PlanarMesh> mesh_between(const NodeLoops& loops, const SurfaceMap& map,
   return mesh;
 }
 
+/// Worst scaled Jacobian that a face with washers may show; else it is meshed without.
+constexpr double least_shape_of_washers = 0.3;
+
+double worst_shape(const PlanarMesh& mesh, const SurfaceMap& map) {
+  const SurfaceNodes nodes(mesh.nodes, &map);
+  double worst = 1;
+  for (const MeshElement& element : mesh.elements) worst = std::min(worst, signed_quality(nodes, element));
+  return worst;
+}
+
 }  // namespace
 
 Result<PlanarMesh> mesh_face(const NodeLoops& loops, const SurfaceMap& map,
                              const FaceMesherOptions& options) {
   const auto washers = washer_rings(loops, options.washers, options.size, options.min_edge);
   if (!washers.empty())
-    if (const auto outside = mesh_between(outside_of_washers(loops, washers), map, options))
-      return with_washers(loops, washers, *outside);
+    if (const auto outside = mesh_between(outside_of_washers(loops, washers), map, options)) {
+      PlanarMesh whole = with_washers(loops, washers, *outside);
+      if (worst_shape(whole, map) >= least_shape_of_washers) return whole;
+    }
   return mesh_between(loops, map, options);
 }
 
