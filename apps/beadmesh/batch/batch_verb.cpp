@@ -126,10 +126,19 @@ int run_all(const BatchPlan& plan, const BatchOptions& options) {
   return conclude(plan, states, options);
 }
 
+/// A limit that this build cannot keep is named, and the panels run without it.
+void warn_of_limits(const BatchOptions& options) {
+  if (options.limits.memory_mb <= 0 || memory_can_be_limited()) return;
+  fmt::print(
+      stderr,
+      "warning batch.memory: a build with a sanitizer cannot limit memory; panels run without a limit\n");
+}
+
 }  // namespace
 
 Result<int> run_batch(const BatchOptions& options) {
   if (auto good = check(options); !good) return tl::make_unexpected(good.error());
+  warn_of_limits(options);
   auto panels = read_manifest(options.manifest, options.common, options.out);
   if (!panels) return tl::make_unexpected(panels.error());
   const BatchPlan plan = plan_of(options, std::move(*panels));

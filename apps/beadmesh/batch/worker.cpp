@@ -29,7 +29,7 @@ double seconds_of(const timeval& time) {
 }
 
 void limit_memory(double memory_mb) {
-  if (memory_mb <= 0) return;
+  if (memory_mb <= 0 || !memory_can_be_limited()) return;
   const auto bytes = static_cast<rlim_t>(memory_mb * 1024 * 1024);
   const rlimit limit{bytes, bytes};
   ::setrlimit(RLIMIT_AS, &limit);
@@ -57,6 +57,14 @@ void limit_memory(double memory_mb) {
 }
 
 }  // namespace
+
+bool memory_can_be_limited() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return false;
+#else
+  return true;
+#endif
+}
 
 Result<Worker> Worker::start(const std::vector<std::string>& words, const WorkerLimits& limits) {
   int ends[2];

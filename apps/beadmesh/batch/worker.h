@@ -16,6 +16,10 @@ struct WorkerLimits {
   double memory_mb = 0;  ///< default 0: none; of address space
 };
 
+/// False in a build with a sanitizer that reserves far more addresses than it uses: a limit of memory would
+/// end every worker before its first line, and is not set.
+bool memory_can_be_limited();
+
 struct WorkerEnd {
   int exit_status = 0;  ///< 0 where a signal ended it
   int signal = 0;
