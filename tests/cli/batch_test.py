@@ -413,15 +413,15 @@ class PageParser(html.parser.HTMLParser):
 class Summaries(BatchCase):
     """JSON, CSV and page say the same, whatever the order in which panels were done."""
 
-    def fill(self):
+    def fill(self, panel="single"):
         self.add_plates(3)
-        (self.panels / "beads.step").write_bytes(example("basic").read_bytes())
+        (self.panels / "beads.step").write_bytes(example(panel).read_bytes())
         (self.panels / 'a "b" & <c>.stl').write_bytes(b"")
         (self.panels / "ümlaut #1.stl").write_bytes(plate())
 
     def test_three_forms_of_one_summary(self):
-        self.fill()
-        self.batch(status=1)
+        self.fill("basic")
+        self.batch(None, "--size", "8", status=1)
         panels = self.summary()
         with open(self.out / "batch.csv", newline="") as stream:
             rows = list(csv.DictReader(stream))
@@ -486,7 +486,7 @@ class Summaries(BatchCase):
         self.assertEqual(first, ([(self.out / name).read_bytes() for name in names], self.results()))
 
     def test_a_panel_gets_what_mesh_alone_gives(self):
-        (self.panels / "beads.step").write_bytes(example("basic").read_bytes())
+        (self.panels / "beads.step").write_bytes(example("single").read_bytes())
         self.batch(None, "--size", "6")
         run("mesh", self.panels / "beads.step", "-o", self.folder / "x.bdf", "--size", "6")
         self.assertEqual((self.folder / "x.bdf").read_bytes(), (self.out / "panels/beads/beads.bdf").read_bytes())

@@ -1,9 +1,15 @@
 """The verbs on example panels: files, tables, kinds, determinism."""
+import functools
 import json
 import math
+import pathlib
+import tempfile
+import types
 import unittest
 
 from command import Case, contains, example, run, truth
+
+_folder = tempfile.TemporaryDirectory()
 
 
 # Letters that a person might as well give: a shape not listed must be named as it is.
@@ -13,6 +19,15 @@ ALSO = {"U": {"C", "J", "G", "arc"}, "trident": {"comb", "tree"}}
 def beads_of(name):
     result = run("beads", example(name), "--json", "-")
     return result, json.loads(result.stdout)
+
+
+@functools.cache
+def meshed():
+    """The panel `basic` with deck, table and report, made once for all tests: what was printed, and the files in their folder."""
+    folder = pathlib.Path(_folder.name)
+    deck, table, report = (folder / name for name in ("panel.bdf", "panel.json", "panel.html"))
+    result = run("mesh", example("basic"), "-o", deck, "--preset", "crash", "--json", table, "--report", report)
+    return types.SimpleNamespace(result=result, folder=folder, deck=deck, table=table, report=report)
 
 
 class Recognition(Case):
@@ -89,15 +104,20 @@ class ManyFaces(Case):
 
 class Files(Case):
     def test_mesh_writes_all_it_is_asked_for(self):
-        deck, table, report = (self.folder / name for name in ("panel.bdf", "beads.json", "report.svg"))
-        result = run("mesh", example("basic"), "-o", deck, "--json", table, "--report", report)
+        made = meshed()
+        self.assertEqual(0, made.result.returncode, made.result.stderr)
+        self.assertEqual({made.deck, made.table, made.report}, set(made.folder.iterdir()), "no file is left over")
+        self.assertIn("CQUAD4", made.deck.read_text())
+        self.assertIn("SET", made.deck.read_text())
+        self.assert_table(json.loads(made.table.read_text()))
+        self.assertIn("generic", made.result.stdout, "the summary shows the bead table")
+
+    def test_the_flat_picture(self):
+        deck, report = self.folder / "panel.bdf", self.folder / "report.svg"
+        result = run("mesh", example("single"), "-o", deck, "--report", report)
         self.assertEqual(0, result.returncode, result.stderr)
-        self.assertEqual({deck, table, report}, set(self.contents()), "no file is left over")
-        self.assertIn("CQUAD4", deck.read_text())
-        self.assertIn("SET", deck.read_text())
+        self.assertEqual({deck, report}, set(self.contents()))
         self.assertIn("<svg", report.read_text())
-        self.assert_table(json.loads(table.read_text()))
-        self.assertIn("generic", result.stdout, "the summary shows the bead table")
 
     def assert_table(self, table):
         self.assertEqual("basic.step", table["input"])
@@ -110,24 +130,20 @@ class Files(Case):
         self.assertGreater(table["mesh"]["quads"], 0)
 
     def test_html_report_stands_alone(self):
-        report = self.folder / "report.html"
-        result = run("mesh", example("basic"), "-o", self.folder / "panel.bdf", "--report", report)
-        self.assertEqual(0, result.returncode, result.stderr)
-        text = report.read_text()
+        text = meshed().report.read_text()
         self.assertIn("<html", text)
         for link in ('src="http', "src='http", 'href="http', "@import"):
             self.assertNotIn(link, text)
 
     def test_minimum_edge_holds_by_the_programs_own_check(self):
         deck = self.folder / "panel.bdf"
-        run("mesh", example("rotated"), "-o", deck, "--size", "6", "--min-edge", "3")
+        run("mesh", example("single"), "-o", deck, "--size", "6", "--min-edge", "3")
         result = run("check", deck, "--min-edge", "3", "--json", "-")
         self.assertEqual(0, result.returncode, result.stderr)
         self.assertGreater(json.loads(result.stdout)["mesh"]["quads"], 100)
 
     def test_limits_of_a_preset_and_of_a_file(self):
-        deck, table, limits = (self.folder / name for name in ("panel.bdf", "check.json", "limits.criteria"))
-        run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")
+        deck, table, limits = meshed().deck, self.folder / "check.json", self.folder / "limits.criteria"
         first = run("check", deck, "--preset", "crash", "--save-criteria", limits, "--json", table)
         self.assertIn("property 1:", first.stdout)
         judged = json.loads(table.read_text())
@@ -145,15 +161,14 @@ class Files(Case):
         self.assertIn("past the limits", failing.stderr)
 
     def test_what_mesh_says_of_criteria_is_what_check_finds(self):
-        deck, table, report = (self.folder / name for name in ("panel.bdf", "panel.json", "check.json"))
-        meshed = run("mesh", example("basic"), "-o", deck, "--preset", "crash", "--json", table)
-        run("check", deck, "--preset", "crash", "--json", report)
-        panel, judged = json.loads(table.read_text()), json.loads(report.read_text())
+        made, report = meshed(), self.folder / "check.json"
+        run("check", made.deck, "--preset", "crash", "--json", report)
+        panel, judged = json.loads(made.table.read_text()), json.loads(report.read_text())
         found, whole = panel["mesh"]["quality"]["criteria"], judged["parts"][0]
         self.assertEqual((whole["elements"], whole["failing"]), (found["elements"], found["failing"]))
         self.assertEqual({m["name"]: m["failed"] for m in whole["measures"] if m["name"] != "chordal dev"}, found["failed"])
         self.assertEqual(2.5, found["limits"]["min length"])
-        self.assertIn(f"criteria: {found['failing']} of {found['elements']} elements fail", meshed.stdout)
+        self.assertIn(f"criteria: {found['failing']} of {found['elements']} elements fail", made.result.stdout)
         for bead, row in zip(judged["beads"], panel["beads"], strict=True):
             self.assertEqual(f"bead {row['id']}, kind {row['kind']}, shape {row['shape']}", bead["name"])
             self.assertEqual((row["mesh"]["elements"], row["mesh"]["failing"]), (bead["elements"], bead["failing"]))
@@ -161,17 +176,16 @@ class Files(Case):
     def test_limits_given_to_mesh_count(self):
         deck = self.folder / "panel.bdf"
         strict = self.file("strict.criteria", b"1 min length 1 1 9 8 7 6 0\n")
-        failing = run("mesh", example("basic"), "-o", deck, "--criteria", strict)
+        failing = run("mesh", example("single"), "-o", deck, "--criteria", strict)
         self.assertEqual(1, failing.returncode)
         self.assertIn("past the limits", failing.stderr)
         self.assertTrue(deck.exists())
-        self.assert_refused("mesh", example("basic"), "-o", self.folder / "other.bdf", "--criteria",
+        self.assert_refused("mesh", example("single"), "-o", self.folder / "other.bdf", "--criteria",
                             self.folder / "missing.criteria", names="missing.criteria")
 
     def test_repair_moves_nodes_and_nothing_else(self):
-        deck, spoilt, mended, report = (self.folder / n for n in ("panel.bdf", "spoilt.bdf", "mended.bdf", "check.json"))
-        run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")
-        lines = deck.read_text().splitlines(keepends=True)
+        spoilt, mended, report = (self.folder / name for name in ("spoilt.bdf", "mended.bdf", "check.json"))
+        lines = meshed().deck.read_text().splitlines(keepends=True)
         rows = [i for i, line in enumerate(lines) if line.startswith("GRID*")]
         for i in rows[-400::20]:  # the last nodes lie inside the sheet
             lines[i] = lines[i][:40] + f"{float(lines[i][40:56]) + 2.2:16.8f}" + lines[i][56:]
@@ -189,16 +203,13 @@ class Files(Case):
         self.assertEqual([line.rstrip("\n") for line in lines if not line.startswith(("GRID*", "*"))], keep)
 
     def test_repair_needs_limits_and_another_file(self):
-        deck = self.folder / "panel.bdf"
-        run("mesh", example("basic"), "-o", deck)
+        deck = self.file("panel.bdf", meshed().deck.read_bytes())
         self.assert_refused("check", deck, "--repair", self.folder / "out.bdf", names="limits")
         self.assert_refused("check", deck, "--preset", "crash", "--repair", deck, names="panel.bdf")
         self.assert_refused("check", deck, "--preset", "crash", "--repair", self.folder / "out.txt", names="out.txt")
 
     def test_minimum_edge_holds_in_the_deck(self):
-        deck = self.folder / "panel.bdf"
-        run("mesh", example("basic"), "-o", deck, "--size", "5", "--min-edge", "2.5")
-        points, quads = read_deck(deck.read_text())
+        points, quads = read_deck(meshed().deck.read_text())
         self.assertGreater(len(quads), 500)
         shortest = min(length(points[a], points[b]) for q in quads for a, b in zip(q, q[1:] + q[:1]))
         self.assertGreaterEqual(shortest, 2.5 - 1e-6)
@@ -222,7 +233,7 @@ def length(p, q):
 class StandardOutput(Case):
     def test_json_to_standard_output_is_nothing_but_json(self):
         deck = self.folder / "panel.bdf"
-        for arguments in (("mesh", example("basic"), "-o", deck, "--json", "-"), ("beads", example("basic"), "--json", "-"),
+        for arguments in (("mesh", example("single"), "-o", deck, "--json", "-"), ("beads", example("basic"), "--json", "-"),
                           ("medial", example("basic"), "--face", "2", "--json", "-")):
             with self.subTest(verb=arguments[0]):
                 result = run(*arguments)
@@ -230,7 +241,7 @@ class StandardOutput(Case):
                 self.assertTrue(json.loads(result.stdout)["schema"].startswith("beadmesh."))
 
     def test_timings_go_to_standard_error(self):
-        result = run("mesh", example("basic"), "-o", self.folder / "panel.bdf", "--json", "-", "--timings")
+        result = run("mesh", example("single"), "-o", self.folder / "panel.bdf", "--json", "-", "--timings")
         self.assertEqual(0, result.returncode, result.stderr)
         json.loads(result.stdout)
         rows = [line.split() for line in result.stderr.splitlines()]

@@ -52,29 +52,23 @@ const BeadSet* set_of(const ShellMesh& mesh, Index bead) {
   return nullptr;
 }
 
-TEST(PanelMesher, PanelOfEveryKindIsConformingAndGood) {
-  const Panel panel = plate_of_every_kind();
-  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
-  ASSERT_TRUE(mesh) << mesh.error().message;
-  EXPECT_EQ(verify_shell_mesh(mesh->mesh), std::vector<std::string>{});
-  EXPECT_EQ(free_edges_inside(mesh->mesh, 240, 150), 0);
-  EXPECT_EQ(mesh->quality.trias, 0);
-  EXPECT_EQ(mesh->quality.inverted, 0);
-  EXPECT_EQ(mesh->quality.edges_below_min, 0);
-  EXPECT_GE(mesh->quality.scaled_jacobian_min, 0.3);
-  EXPECT_GE(mesh->quality.scaled_jacobian_mean, 0.9);
-  for (const BeadMeshing& meshing : mesh->meshing) EXPECT_EQ(meshing.method, "blocks");
-  EXPECT_TRUE(mesh->table.diagnostics.empty());
+void expect_conforming_and_good(const PanelMesh& mesh) {
+  EXPECT_EQ(verify_shell_mesh(mesh.mesh), std::vector<std::string>{});
+  EXPECT_EQ(free_edges_inside(mesh.mesh, 240, 150), 0);
+  EXPECT_EQ(mesh.quality.trias, 0);
+  EXPECT_EQ(mesh.quality.inverted, 0);
+  EXPECT_EQ(mesh.quality.edges_below_min, 0);
+  EXPECT_GE(mesh.quality.scaled_jacobian_min, 0.3);
+  EXPECT_GE(mesh.quality.scaled_jacobian_mean, 0.9);
+  for (const BeadMeshing& meshing : mesh.meshing) EXPECT_EQ(meshing.method, "blocks");
+  EXPECT_TRUE(mesh.table.diagnostics.empty());
 }
 
-TEST(PanelMesher, NodesLieOnTheSurface) {
-  const Panel panel = plate_of_every_kind();
-  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
-  ASSERT_TRUE(mesh);
+void expect_nodes_on_the_surface(const PanelMesh& mesh) {
   const Base base = cylinder_base(900);
-  for (const ShellElement& element : mesh->mesh.elements)
+  for (const ShellElement& element : mesh.mesh.elements)
     for (const Index n : element.nodes) {
-      const Vec3 p = mesh->mesh.nodes[n];
+      const Vec3 p = mesh.mesh.nodes[n];
       if (element.bead == 0) {
         EXPECT_NEAR(p.z, base({p.x, p.y}), 0.02);
       } else {
@@ -83,15 +77,10 @@ TEST(PanelMesher, NodesLieOnTheSurface) {
     }
 }
 
-TEST(PanelMesher, PartsAndSetsFollowTheBeads) {
-  const Panel panel = plate_of_every_kind();
-  PanelMesherOptions options;
-  options.thickness = 0.8;
-  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), options);
-  ASSERT_TRUE(mesh);
+void expect_parts_and_sets_of_the_beads(const PanelMesh& mesh, const Panel& panel) {
   std::set<std::string> names;
   std::set<Index> ids;
-  for (const ShellPart& part : mesh->mesh.parts) {
+  for (const ShellPart& part : mesh.mesh.parts) {
     names.insert(part.name);
     ids.insert(part.id);
     EXPECT_EQ(part.thickness, 0.8);
@@ -100,16 +89,16 @@ TEST(PanelMesher, PartsAndSetsFollowTheBeads) {
   EXPECT_EQ(ids.size(), 4);
   const Base base = cylinder_base(900);
   for (const Index b : {1, 2, 3}) {
-    const BeadSet* set = set_of(mesh->mesh, b);
+    const BeadSet* set = set_of(mesh.mesh, b);
     ASSERT_TRUE(set);
-    EXPECT_EQ(int(set->elements.size()), mesh->meshing[b - 1].elements);
+    EXPECT_EQ(int(set->elements.size()), mesh.meshing[b - 1].elements);
     for (const Index e : set->elements) {
-      EXPECT_EQ(mesh->mesh.elements[e].bead, b);
-      EXPECT_EQ(mesh->mesh.elements[e].face, panel.faces[b - 1].number);
+      EXPECT_EQ(mesh.mesh.elements[e].bead, b);
+      EXPECT_EQ(mesh.mesh.elements[e].face, panel.faces[b - 1].number);
     }
     EXPECT_TRUE(std::is_sorted(set->crest_nodes.begin(), set->crest_nodes.end()));
     const auto on_top = std::count_if(set->crest_nodes.begin(), set->crest_nodes.end(), [&](Index n) {
-      const Vec3 p = mesh->mesh.nodes[n];
+      const Vec3 p = mesh.mesh.nodes[n];
       return std::abs(std::abs(p.z - base({p.x, p.y})) - 5) < 0.05;
     });
     EXPECT_GT(on_top, int(0.7 * double(set->crest_nodes.size()))) << "all but the caps";
@@ -125,19 +114,16 @@ std::set<Index> nodes_of(const ShellMesh& mesh, const std::vector<Index>& elemen
   return nodes;
 }
 
-TEST(PanelMesher, SetsKnowBoundariesCrestLinesAndCaps) {
-  const Panel panel = plate_of_every_kind();
-  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
-  ASSERT_TRUE(mesh);
+void expect_sets_of_boundaries_crest_lines_and_caps(const PanelMesh& mesh) {
   const size_t ends[] = {2, 3, 0};  // of the I-bead, the T and the ring
   for (const Index b : {1, 2, 3}) {
-    const BeadSet* set = set_of(mesh->mesh, b);
+    const BeadSet* set = set_of(mesh.mesh, b);
     ASSERT_TRUE(set);
     std::set<Index> of_others, shared;
-    for (const ShellElement& element : mesh->mesh.elements)
+    for (const ShellElement& element : mesh.mesh.elements)
       if (element.bead != b)
         for (const Index n : element.nodes) of_others.insert(n);
-    for (const Index n : nodes_of(mesh->mesh, set->elements))
+    for (const Index n : nodes_of(mesh.mesh, set->elements))
       if (of_others.count(n)) shared.insert(n);
     EXPECT_EQ(std::set<Index>(set->boundary_nodes.begin(), set->boundary_nodes.end()), shared);
 
@@ -147,12 +133,42 @@ TEST(PanelMesher, SetsKnowBoundariesCrestLinesAndCaps) {
 
     EXPECT_TRUE(std::includes(set->elements.begin(), set->elements.end(), set->cap_elements.begin(),
                               set->cap_elements.end()));
-    const std::set<Index> capped = nodes_of(mesh->mesh, set->cap_elements);
+    const std::set<Index> capped = nodes_of(mesh.mesh, set->cap_elements);
     const size_t tips = std::count_if(crest.begin(), crest.end(),
                                       [&](Index n) { return shared.count(n) && capped.count(n); });
     EXPECT_EQ(tips, ends[b - 1]);
     EXPECT_LT(set->cap_elements.size(), 0.7 * double(set->elements.size()));
   }
+}
+
+void expect_sides_of_the_blocks_as_meshed(const PanelMesh& mesh) {
+  for (size_t b = 0; b < mesh.meshing.size(); ++b) {
+    const BeadMeshing& meshing = mesh.meshing[b];
+    ASSERT_EQ(meshing.method, "blocks");
+    EXPECT_GT(meshing.blocks, 1);
+    std::map<VirtualEdgeKind, int> lines;
+    for (const BlockSideLine& line : meshing.block_lines) {
+      ++lines[line.kind];
+      for (const Vec3& p : line.points)
+        EXPECT_NE(std::find(mesh.mesh.nodes.begin(), mesh.mesh.nodes.end(), p), mesh.mesh.nodes.end());
+    }
+    EXPECT_GT(lines[VirtualEdgeKind::boundary], 1);
+    EXPECT_GT(lines[VirtualEdgeKind::split], 1) << "bead " << b;
+  }
+}
+
+/// One mesh for all that is asked of it: it takes a while, and each test is a process.
+TEST(PanelMesher, PanelOfEveryKindIsAsItShouldBe) {
+  const Panel panel = plate_of_every_kind();
+  PanelMesherOptions options;
+  options.thickness = 0.8;
+  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), options);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  expect_conforming_and_good(*mesh);
+  expect_nodes_on_the_surface(*mesh);
+  expect_parts_and_sets_of_the_beads(*mesh, panel);
+  expect_sets_of_boundaries_crest_lines_and_caps(*mesh);
+  expect_sides_of_the_blocks_as_meshed(*mesh);
 }
 
 TEST(PanelMesher, NestedRingsShareTheirNodes) {
@@ -166,25 +182,6 @@ TEST(PanelMesher, NestedRingsShareTheirNodes) {
   EXPECT_EQ(free_edges_inside(mesh->mesh, 140, 140), 0);
   for (const BeadMeshing& meshing : mesh->meshing) EXPECT_EQ(meshing.method, "blocks");
   EXPECT_EQ(mesh->quality.edges_below_min, 0);
-}
-
-TEST(PanelMesher, KeepsTheSidesOfTheBlocksAsTheyWereMeshed) {
-  const Panel panel = plate_of_every_kind();
-  const auto mesh = mesh_studied_panel(panel, studied(panel, 3), {});
-  ASSERT_TRUE(mesh);
-  for (size_t b = 0; b < mesh->meshing.size(); ++b) {
-    const BeadMeshing& meshing = mesh->meshing[b];
-    ASSERT_EQ(meshing.method, "blocks");
-    EXPECT_GT(meshing.blocks, 1);
-    std::map<VirtualEdgeKind, int> lines;
-    for (const BlockSideLine& line : meshing.block_lines) {
-      ++lines[line.kind];
-      for (const Vec3& p : line.points)
-        EXPECT_NE(std::find(mesh->mesh.nodes.begin(), mesh->mesh.nodes.end(), p), mesh->mesh.nodes.end());
-    }
-    EXPECT_GT(lines[VirtualEdgeKind::boundary], 1);
-    EXPECT_GT(lines[VirtualEdgeKind::split], 1) << "bead " << b;
-  }
 }
 
 /// Positions of the nodes of a bead's elements, in the order of the elements.

@@ -118,10 +118,10 @@ TEST(SubdivisionMesher, BadLoopsFailWithWords) {
 
 RC_GTEST_PROP(SubdivisionMesher, HolesAnywhereGiveAValidMesh, ()) {
   NodeLoops loops;
-  test::add_loop(loops, test::rectangle(90, 60, 18, 12));
+  test::add_loop(loops, test::rectangle(60, 40, 12, 8));
   int count = 0;
-  for (const Vec2 centre : {Vec2{25, 25}, Vec2{65, 32}}) {
-    const double radius = *rc::gen::inRange(2, 20);
+  for (const Vec2 centre : {Vec2{17, 17}, Vec2{43, 22}}) {
+    const double radius = *rc::gen::inRange(2, 14);
     const int nodes = *rc::gen::inRange(3, 30);
     count += nodes;
     test::add_loop(loops, test::circle(centre, radius, nodes, true));
