@@ -44,7 +44,7 @@ _beadmesh() {
     --json) _beadmesh_files "$word" json; return ;;
     --csv) _beadmesh_files "$word" csv; return ;;
     --report) _beadmesh_files "$word" html svg; return ;;
-    --svg) _beadmesh_files "$word" svg; return ;;
+    --svg | --debug-svg) _beadmesh_files "$word" svg; return ;;
   esac
   if [[ $word == -* ]]; then
     COMPREPLY=($(compgen -W "$(_beadmesh_options "$program" "$verb")" -- "$word"))

@@ -8,6 +8,7 @@
 #include "beadmesh/write/bead_csv.h"
 #include "beadmesh/write/bead_json.h"
 #include "crash_guard.h"
+#include "grouping.h"
 #include "outputs.h"
 #include "progress.h"
 #include "summary.h"
@@ -35,7 +36,8 @@ Result<int> run_beads(const Options& options) {
   const Context context = bar.context(options.settings.jobs);
   auto panel = read_guarded(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
-  panel = compose_faces(std::move(*panel), options.settings.beads, context);
+  Grouping grouping(options.outputs.debug_svg, *panel);
+  panel = compose_faces(std::move(*panel), options.settings.beads, context, {}, grouping.decisions());
   BeadTable table = recognise_beads(*panel, options.settings.beads, context);
   std::vector<BeadDesign> designs;
   if (options.design_check) designs = design_of_beads(*panel, table, context);
@@ -51,6 +53,7 @@ Result<int> run_beads(const Options& options) {
     out << (options.design_check ? bead_csv(*panel, table, designs) : bead_csv(*panel, table));
   });
   outputs.add(options.outputs.report, [&](std::ostream& out) { out << report_of(*panel, table); });
+  grouping.add_to(outputs, *panel, table);
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
   bar.clear();
   if (options.timings) fmt::print(stderr, "{}", timing_table(bar.stages()));

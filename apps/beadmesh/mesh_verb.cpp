@@ -15,6 +15,7 @@
 #include "beadmesh/write/deck.h"
 #include "crash_guard.h"
 #include "criteria_file.h"
+#include "grouping.h"
 #include "outputs.h"
 #include "progress.h"
 #include "settings_text.h"
@@ -96,7 +97,9 @@ Result<int> run_mesh(const Options& options) {
   const Context context = bar.context(options.settings.jobs);
   auto panel = read_guarded(options.input, options.settings.read, context);
   if (!panel) return tl::make_unexpected(panel.error());
-  panel = compose_faces(std::move(*panel), options.settings.beads, context, options.settings.kept_edges);
+  Grouping grouping(options.outputs.debug_svg, *panel);
+  panel = compose_faces(std::move(*panel), options.settings.beads, context, options.settings.kept_edges,
+                        grouping.decisions());
   if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());
   auto mesh = mesh_panel(*panel, sizes, options.settings.beads, context);
   if (!mesh) return tl::make_unexpected(mesh.error());
@@ -112,6 +115,7 @@ Result<int> run_mesh(const Options& options) {
   if (auto good = check_deck_mesh(mesh->mesh, options.settings.deck); !good)
     return tl::make_unexpected(good.error());
   Outputs outputs = outputs_of(options, *panel, *mesh);
+  grouping.add_to(outputs, *panel, mesh->table);
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
 
   bar.clear();

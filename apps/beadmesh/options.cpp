@@ -88,6 +88,11 @@ void add_deck(CLI::App& verb, RawOptions& raw) {
   verb.add_option("--first-property", raw.flags.first_property, "id of the first property (default 1)");
 }
 
+void add_debug(CLI::App& verb, RawOptions& raw) {
+  verb.add_option("--debug-svg", raw.outputs.debug_svg,
+                  "picture of how CAD faces were grouped, and why: .svg");
+}
+
 void add_mesh(CLI::App& app, RawOptions& raw) {
   CLI::App& verb =
       *app.add_subcommand("mesh", "mesh a panel: recognised beads on purpose, the rest around them");
@@ -103,6 +108,7 @@ void add_mesh(CLI::App& app, RawOptions& raw) {
   add_controls(verb, raw);
   add_deck(verb, raw);
   verb.add_option("--report", raw.outputs.report, "report in 3-D: .html, or only a flat picture: .svg");
+  add_debug(verb, raw);
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
 }
 
@@ -110,6 +116,7 @@ void add_beads(CLI::App& app, RawOptions& raw) {
   CLI::App& verb = *app.add_subcommand("beads", "recognise the beads of a panel: their table");
   add_common(verb, raw);
   verb.add_option("--report", raw.outputs.report, "report: .html, the beads on the surface");
+  add_debug(verb, raw);
   verb.add_flag("--design-check", raw.design_check,
                 "measure depth to width, wall angle, radii and distances; judge them by [design] of the\n"
                 "settings");

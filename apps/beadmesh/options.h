@@ -14,7 +14,7 @@ enum class Verb { mesh, beads, medial, check, batch, options };
 
 /// Files to write; empty: not asked for; "-": standard output (json and csv only).
 struct OutputNames {
-  std::string deck, json, csv, report, svg, criteria, repaired;
+  std::string deck, json, csv, report, svg, debug_svg, criteria, repaired;
 };
 
 struct Options {

@@ -30,6 +30,7 @@ std::vector<Named> asked_for(const Options& options) {
                             {"--csv", names.csv, {}, true},
                             {"--report", names.report, reports, false},
                             {"--svg", names.svg, {".svg"}, false},
+                            {"--debug-svg", names.debug_svg, {".svg"}, false},
                             {"--save-criteria", names.criteria, {}, false},
                             {"--repair", names.repaired, {".bdf", ".nas", ".dat"}, false}};
   std::vector<Named> asked;

@@ -40,6 +40,8 @@ crop basic sheet "90 760 780 405" && png sheet 1100
 "$build/examples/make_example_panel" filleted filleted.step
 mesh filleted filleted
 png filleted 1200
+"$beadmesh" beads filleted.step --debug-svg grouping.svg
+png grouping 1200
 
 mesh coarse basic --preset nvh
 crop coarse i_bead_coarse "70 165 580 140" && png i_bead_coarse 1100

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <optional>
 
-#include "beadmesh/bead/composite_faces.h"
 #include "beadmesh/bead/face_study.h"
 #include "beadmesh/bead/joined_sheets.h"
 #include "beadmesh/mesh/panel_mesher.h"
@@ -196,10 +196,21 @@ class JobLimit {
   std::optional<tbb::global_control> control_;
 };
 
+std::map<Index, Index> faces_by_number(const Panel& panel) {
+  std::map<Index, Index> faces;
+  for (Index f = 0; f < Index(panel.faces.size()); ++f) faces[panel.faces[f].number] = f;
+  return faces;
+}
+
+void note_sheets(const std::vector<std::vector<Index>>& sheets, std::vector<GroupDecision>& decisions) {
+  for (const std::vector<Index>& faces : sheets)
+    decisions.push_back({faces, GroupVerdict::sheet, "neither turn nor bend at the edges between its faces"});
+}
+
 }  // namespace
 
 Panel compose_faces(Panel panel, const BeadOptions& options, const Context& context,
-                    const std::vector<Vec3>& kept) {
+                    const std::vector<Vec3>& kept, std::vector<GroupDecision>* decisions) {
   if (panel.is_facetted) return panel;
   constexpr double reach = 1;
   const JobLimit limit(context.jobs);
@@ -215,9 +226,19 @@ Panel compose_faces(Panel panel, const BeadOptions& options, const Context& cont
          "give a point within 1 mm of an edge"});
   context.report("compose", 0);
   const auto sheets = joined_sheets(panel, joined, context);
+  if (decisions) note_sheets(sheets, *decisions);
+  const std::map<Index, Index> input_faces = faces_by_number(panel);
   panel = with_merged_faces(std::move(panel), sheets);
   context.report("compose", 0.3);
-  const auto features = composite_faces(panel, composite, context);
+  std::vector<std::vector<Index>> features;
+  for (GroupDecision& group : group_decisions(panel, composite, context)) {
+    if (group.verdict != GroupVerdict::left) features.push_back(group.faces);
+    if (!decisions) continue;
+    std::vector<Index> of_input;
+    for (const Index number : input_numbers(panel, group.faces)) of_input.push_back(input_faces.at(number));
+    group.faces = std::move(of_input);
+    decisions->push_back(std::move(group));
+  }
   return with_merged_faces(std::move(panel), features);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beadmesh/bead/bead_table.h"
+#include "beadmesh/bead/composite_faces.h"
 #include "beadmesh/bead/design_check.h"
 #include "beadmesh/bead/recognition.h"
 #include "beadmesh/core/context.h"
@@ -38,9 +39,10 @@ struct MeshSizes {
 /// bead that it has split into many (bead/composite_faces.h). First
 /// stage after reading; what the others are given is its panel. Sheet is not joined over the edges nearest to
 /// `kept` (points within 1 mm of an edge, so that polylines can be followed): rows of nodes follow them. A
-/// point without an edge becomes a warning of the panel (control.keep_edge).
+/// point without an edge becomes a warning of the panel (control.keep_edge). All that was decided is added to
+/// `decisions`, where given, with the faces of the panel that came in (report/grouping_svg.h draws it).
 Panel compose_faces(Panel panel, const BeadOptions& options = {}, const Context& context = {},
-                    const std::vector<Vec3>& kept = {});
+                    const std::vector<Vec3>& kept = {}, std::vector<GroupDecision>* decisions = nullptr);
 
 /// Sections 3 and 4.1: every face that is a bead, with its medial object. Never fails for a single face.
 BeadTable recognise_beads(const Panel& panel, const BeadOptions& options = {}, const Context& context = {});

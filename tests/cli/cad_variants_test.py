@@ -7,10 +7,12 @@ import re
 import signal
 import subprocess
 import unittest
+from xml.etree import ElementTree
 
 from command import MAKE_EXAMPLE_PANEL, PROGRAM, TIMEOUT, Case, contains, example, run
 
 VARY_PANEL = os.environ["VARY_PANEL"]
+SVG = "{http://www.w3.org/2000/svg}"
 
 
 class VariedCase(Case):
@@ -111,6 +113,59 @@ class ManyFacedPanels(VariedCase):
                     self.assertEqual(features[i]["paper_rule"], found[i]["kind"])
                     self.assertGreater(len(found[i]["faces"]), 8)
                     self.assertAlmostEqual(1, found[i]["width"] / features[i]["mean_width"], delta=0.05)
+
+
+    def test_rings_that_share_loops_are_rings_of_their_own(self):
+        step, truth = self.folder / "corrugated.step", self.folder / "truth.json"
+        subprocess.run([MAKE_EXAMPLE_PANEL, "shapes", step, truth, "--walls", "--only", "corrugated", "--width", "12"], check=True,
+                       timeout=TIMEOUT)
+        features = json.loads(truth.read_text())["features"]
+        beads = self.table(step)["beads"]
+        self.assertEqual(len(features), len(beads))
+        for bead in beads:
+            self.assertEqual("annular", bead["kind"])
+            self.assertEqual(13, len(bead["faces"]))
+        for true, found in zip(sorted(f["centreline_length"] for f in features), sorted(b["length"] for b in beads)):
+            self.assertAlmostEqual(1, found / true, delta=0.01)
+
+
+class Grouping(VariedCase):
+    """The picture of the decisions."""
+
+    def texts(self, svg, group):
+        return [t.text for t in ElementTree.parse(svg).iterfind(f".//{SVG}g[@id='{group}']/{SVG}text")]
+
+    def test_each_face_and_each_decision_is_in_the_picture(self):
+        svg = self.folder / "grouping.svg"
+        table = json.loads(run("beads", example("filleted"), "--json", "-", "--debug-svg", svg).stdout)
+        faces = {}
+        for path in ElementTree.parse(svg).iterfind(f".//{SVG}g[@id='faces']/{SVG}path"):
+            number, words = re.fullmatch(r"face (\d+)(?:: (.*))?", path.find(f"{SVG}title").text).groups()
+            faces[int(number)] = words
+        self.assertEqual(set(range(1, 89)), set(faces))
+        for bead in table["beads"]:
+            for face in bead["faces"]:
+                self.assertEqual(f"bead {bead['id']}, {bead['kind']} {bead['shape']}", faces[face])
+        decisions = self.texts(svg, "decisions")
+        self.assertEqual(len(decisions), len(self.texts(svg, "labels")))
+        self.assertEqual(4, sum("; it is a bead by the rule for one face;" in d for d in decisions))
+        emboss = [d for d in decisions if "one face, no bead" in d]
+        self.assertEqual(1, len(emboss))
+        self.assertRegex(emboss[0], r"aspect ratio [01]\.\d\d < 2\.00")
+
+    def test_a_picture_is_an_svg(self):
+        self.assert_refused("beads", example("filleted"), "--debug-svg", self.folder / "grouping.png", names="--debug-svg")
+
+
+class WrongUnits(VariedCase):
+    def test_a_panel_of_hundreds_of_metres_is_refused(self):
+        brep = self.vary("panel.brep")
+        line = self.assert_refused("beads", brep, "--unit", "m", names="read.too_large")
+        self.assertRegex(line, r"377 m across, over 50 m \(check its unit, which is m\)")
+
+    def test_a_panel_smaller_than_a_bead_is_named(self):
+        table = self.table(self.vary("panel.brep", "--unit", "m"))
+        self.assertRegex(self.diagnostics(table)["read.tiny"], r"is 0\.377 mm across")
 
 
 class Assemblies(VariedCase):

@@ -103,6 +103,21 @@ TEST(CompositeFaces, RingsThatShareALoopStayApart) {
   EXPECT_TRUE(composite_faces(plate.take()).empty());
 }
 
+TEST(CompositeFaces, RingsOfManyFacesThatShareALoopAreRingsOfTheirOwn) {
+  BeadPlate plate(160, 160);
+  plate.add(examples::circular_ring(60, 14), 5);
+  plate.add_ring_inside({0, 0}, 46, 14, -5);
+  plate.add_ring_inside({0, 0}, 32, 14, 5);
+  const Panel panel = split_plate(plate.take(), {0, 1, 2}, flat_base);
+  ASSERT_EQ(verify_panel(panel), std::vector<std::string>{});
+  const BeadTable table = recognise_beads(compose_faces(panel));
+  ASSERT_EQ(table.beads.size(), 3u);
+  for (const Bead& bead : table.beads) {
+    EXPECT_EQ(bead.kind, BeadKind::annular);
+    EXPECT_NEAR(bead.width, 14, 0.5);
+  }
+}
+
 TEST(CompositeFaces, AWideEmbossIsOneFaceButNoBead) {
   BeadPlate plate(160, 160);
   Footprint emboss;
@@ -136,6 +151,11 @@ TEST(CompositeFaces, MaterialBehindASharpEdgeIsNoFeature) {
   Panel panel = test::with_segment_edges(plan.take());
   test::FaceSplitter(panel, 0).split([](Vec3 p) { return p.z > 4.5; });
   EXPECT_TRUE(composite_faces(panel).empty());
+  const std::vector<GroupDecision> decisions = group_decisions(panel);
+  ASSERT_EQ(decisions.size(), 1u);
+  EXPECT_EQ(decisions[0].verdict, GroupVerdict::left);
+  EXPECT_EQ(decisions[0].faces, (std::vector<Index>{0, 2}));
+  EXPECT_NE(decisions[0].reason.find("degrees, over 25"), std::string::npos) << decisions[0].reason;
   CompositeOptions options;
   options.feature_angle = radians(80);
   EXPECT_EQ(composite_faces(panel, options).size(), 1u) << "nothing else keeps it apart";

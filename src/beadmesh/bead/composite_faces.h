@@ -1,6 +1,7 @@
 // Composite faces: a bead that CAD has split into many faces, as one.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "beadmesh/bead/recognition.h"
@@ -16,6 +17,25 @@ struct CompositeOptions {
   double level_angle = radians(6);     ///< default 6 degrees: sheet leans no more against the continued sheet
   double min_height = 0.2;             ///< default 0.2 mm: what rises less is no feature
 };
+
+/// What became of faces that were looked at as a group.
+enum class GroupVerdict {
+  bead,      ///< one face, and a bead
+  one_face,  ///< no bead, but one face for the mesh (plateau, emboss)
+  sheet,     ///< sheet that construction lines have cut, one face again (joined_sheets.h)
+  left       ///< they stay faces of their own
+};
+
+struct GroupDecision {
+  std::vector<Index> faces;  ///< indices in the panel, ascending
+  GroupVerdict verdict = GroupVerdict::left;
+  std::string reason;  ///< in words, for a person
+};
+
+/// Every group that was looked at, as described below, and why it became what it is. In the order of their
+/// faces.
+std::vector<GroupDecision> group_decisions(const Panel& panel, const CompositeOptions& options = {},
+                                           const Context& context = {});
 
 /// Groups of faces (indices, ascending) that are one face to a person: what lies inside an inner loop of a
 /// sheet face, joined to it and in itself by smooth edges, without the faces that are level with the sheet

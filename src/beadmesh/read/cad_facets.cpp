@@ -122,11 +122,20 @@ double diagonal_of(const CadTopology& topology) {
   return std::max(distance(low, high), 1e-3);
 }
 
+/// Damaged files hold transformations of immense scale.
+bool is_number(Vec3 p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 }  // namespace
 
 FaceNodes facet_face(const CadTopology& topology, Index face, FaceSpace space, double chord) {
   try {
-    return FaceFacetter(topology, topology.faces[face], std::move(space), chord).facet();
+    FaceNodes nodes = FaceFacetter(topology, topology.faces[face], std::move(space), chord).facet();
+    if (std::all_of(nodes.points.begin(), nodes.points.end(), is_number)) return nodes;
+    nodes = {};
+    nodes.defect = "a coordinate is no number";
+    return nodes;
   } catch (const Standard_Failure& failure) {
     FaceNodes nodes;
     nodes.defect = std::string("OpenCASCADE fails on it: ") + failure.GetMessageString();

@@ -1,10 +1,13 @@
 #include "beadmesh/read/cad_reader.h"
 
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <ios>
 #include <mutex>
@@ -31,13 +34,31 @@ Failure named(Diagnostic diagnostic, const std::filesystem::path& path) {
   return Failure(std::move(diagnostic));
 }
 
-Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOptions& options,
-                             const Context& context) {
+/// Diagonal of a box around the faces, mm; 0 where there is none.
+double size_of(const CadModel& model) {
+  Bnd_Box box;
+  for (const TopoDS_Face& face : model.faces) BRepBndLib::Add(face, box, false);
+  return box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
+}
+
+/// Lengths in mm that a file calls metres would take all time and memory.
+Result<void> check_size(const CadModel& model) {
+  constexpr double most = 50000;  // mm
+  const double size = size_of(model);
+  if (size <= most) return {};
+  return fail("read.too_large",
+              "the panel would be " + std::to_string(std::lround(std::min(size / 1000, 1e9))) +
+                  " m across, over 50 m",
+              "check its unit, which is " + model.unit);
+}
+
+Result<Panel> read_unguarded(const std::filesystem::path& path, ReadOptions options, const Context& context) {
   const std::lock_guard lock(reader_mutex());
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
   context.report("read", 0);
   Result<CadModel> model = load_cad_model(path, options);
   if (!model) return named(model.error(), path);
+  if (const Result<void> good = check_size(*model); !good) return named(good.error(), path);
   drop_duplicates(*model, std::max(options.sew_tolerance, 1e-6));
   sew(*model, options.sew_tolerance);
   context.report("facets", 0);

@@ -1,5 +1,6 @@
 #include "beadmesh/read/panel_reader.h"
 
+#include <cstdio>
 #include <utility>
 
 #include "beadmesh/read/cad_reader.h"
@@ -8,6 +9,20 @@
 #include "beadmesh/read/shell_deck_panel.h"
 
 namespace beadmesh {
+namespace {
+
+/// A panel in metres that is read as one in mm.
+void warn_where_tiny(Panel& panel) {
+  constexpr double least = 5;  // mm
+  const double size = diagonal(panel);
+  if (size >= least) return;
+  char text[96];
+  std::snprintf(text, sizeof text, "the panel is %.3g mm across", size);
+  panel.diagnostics.push_back(
+      {"read.tiny", Severity::warning, no_index, {}, text, "check its unit, which is " + panel.unit});
+}
+
+}  // namespace
 
 Result<Panel> read_panel(const std::filesystem::path& path, const ReadOptions& options,
                          const Context& context) {
@@ -20,6 +35,7 @@ Result<Panel> read_panel(const std::filesystem::path& path, const ReadOptions& o
   if (!panel) return panel;
   ThinSolidOptions thin;
   thin.skin = options.skin;
+  warn_where_tiny(*panel);
   return with_skins(std::move(*panel), thin);
 }
 

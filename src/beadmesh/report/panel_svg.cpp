@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "beadmesh/report/drawing.h"
+#include "beadmesh/report/picture_view.h"
 
 namespace beadmesh {
 namespace {
@@ -31,48 +32,28 @@ constexpr PaintStyle styles[paint_count] = {
     {{46, 178, 140}, "annular bead"}, {{222, 110, 60}, "bead, fallback"}, {{204, 121, 167}, "triangle"},
 };
 
-/// Two axes of the picture and the direction to the eye, orthonormal.
-struct View {
-  Vec3 right, up, eye;
-  Vec2 operator()(Vec3 p) const { return {dot(p, right), dot(p, up)}; }
-};
-
 Vec3 element_normal(const std::vector<Vec3>& nodes, const MeshElement& e) {
   const Vec3 a = nodes[e[0]], b = nodes[e[1]], c = nodes[e[2]], d = is_quad(e) ? nodes[e[3]] : a;
   return cross(c - a, d - b) * 0.5;
 }
 
-double largest_component(Vec3 v) {
-  double best = v.x;
-  for (const double c : {v.y, v.z})
-    if (std::abs(c) > std::abs(best)) best = c;
-  return best;
-}
-
-/// From the side of the positive axis, as a drawing shows it; x to the right where it can be.
-View view_of(const ShellMesh& mesh, Vec3 wanted) {
-  Vec3 eye = wanted;
-  if (norm(eye) == 0) {
-    double area = 0;
-    for (const ShellElement& element : mesh.elements) {
-      const Vec3 n = element_normal(mesh.nodes, element.nodes);
-      eye += n;
-      area += norm(n);
-    }
-    if (!(norm(eye) > 0.05 * area)) eye = {0, 0, 1};
-    if (largest_component(eye) < 0) eye = -eye;
+PictureView view_of(const ShellMesh& mesh, Vec3 wanted) {
+  if (norm(wanted) > 0) return view_along(wanted);
+  Vec3 sum;
+  double area = 0;
+  for (const ShellElement& element : mesh.elements) {
+    const Vec3 n = element_normal(mesh.nodes, element.nodes);
+    sum += n;
+    area += norm(n);
   }
-  eye = normalized(eye);
-  const Vec3 side = std::abs(eye.x) < 0.8 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 right = normalized(side - eye * dot(side, eye));
-  return {right, cross(eye, right), eye};
+  return view_of_area(sum, area);
 }
 
 /// Light from the upper left; elements turned away from it are darker. Coarse steps, so that few paths
 /// suffice.
 constexpr int shades = 7;
 
-int shade_of(const View& view, Vec3 normal) {
+int shade_of(const PictureView& view, Vec3 normal) {
   Vec3 n = normalized(normal);
   if (dot(n, view.eye) < 0) n = -n;
   const Vec3 light = normalized(view.eye * 1.0 - view.right * 0.55 + view.up * 0.65);
@@ -255,7 +236,7 @@ class Picture {
 
   const PanelMesh& panel_;
   const PanelPictureOptions& options_;
-  View view_;
+  PictureView view_;
   std::vector<Vec2> flat_;
   Frame frame_;
   fmt::memory_buffer out_;
