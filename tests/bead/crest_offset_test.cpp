@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "bead/studied_bead.h"
 #include "examples/skeletons.h"
@@ -38,6 +39,49 @@ TEST(CrestOffset, LeaningBeadsCrestIsNotTheMiddleOfTheFlatFace) {
     EXPECT_GT(off_crest(bead, axis, lean * height), 0.2) << "the medial axis";
     EXPECT_LT(off_crest(bead, moved, lean * height), 0.1) << "the crest";
   }
+}
+
+/// Rise over the base at a distance from the foot, on one side of a bead with steep walls and a flat top:
+/// wall and top are rounded by tangents of the length that a ball of one radius has between them in space.
+class RoundedWall {
+ public:
+  RoundedWall(double wall, double slope, double radius) {
+    const double steep = std::atan(wall + slope), top = std::atan(slope);
+    const double tangent = radius * std::tan((steep - top) / 2), foot = height / wall;
+    const Vec2 corner{foot, height}, before = corner - Vec2{1, wall} * (tangent * std::cos(steep)),
+                                     after = corner + Vec2{tangent * std::cos(top), 0};
+    line_.push_back({0, 0});
+    for (int i = 0; i <= 20; ++i) {
+      const double t = i / 20.0;
+      line_.push_back(lerp(lerp(before, corner, t), lerp(corner, after, t), t));
+    }
+    line_.push_back({1e3, height});
+  }
+
+  double operator()(double distance) const {
+    size_t i = 1;
+    while (line_[i].x < distance) ++i;
+    const double t = (distance - line_[i - 1].x) / (line_[i].x - line_[i - 1].x);
+    return lerp(line_[i - 1], line_[i], std::clamp(t, 0.0, 1.0)).y;
+  }
+
+ private:
+  std::vector<Vec2> line_;
+};
+
+TEST(CrestOffset, FlatTopsOnSlopesAreCrestedBetweenTheirWalls) {
+  const double slope = 0.36;
+  const Base base = [=](Vec2 p) { return slope * p.y; };
+  const Footprint footprint = examples::straight_bead(84, 16);
+  const examples::BoundaryDistance inside(footprint.loops);
+  const RoundedWall lower(5, slope, 1.5), upper(5, -slope, 1.5);
+  PlanPanel plan(base, 0.8);
+  plan.add_face(plan.add_loop(points_of(footprint.loops[0], 1)), {}, [&](Vec2 p) {
+    const double d = std::max(0.0, inside(p));
+    return Vec3{p.x, p.y, base(p) + (p.y < 0 ? lower(d) : upper(d))};
+  });
+  const StudiedBead bead = studied_face(plan.take(), 0);
+  EXPECT_LT(off_crest(bead, moved_to_crest(bead.skeleton(), bead.map()), 0), 0.1);
 }
 
 TEST(CrestOffset, SunkBeadsAreTheSame) {

@@ -102,7 +102,8 @@ TEST(BeadBlocks, HCombAndLadder) {
 TEST(BeadBlocks, ArmsMeetInMitresAtOneIrregularNode) {
   const auto expect_mitres = [](const std::string& what, const PlanarRegion& region, int ends,
                                 int junctions) {
-    expect_blocks(what, region, 2 * ends + junctions, junctions, HubForm::mitre);
+    for (const HubForm form : {HubForm::mitre, HubForm::fan})
+      expect_blocks(what, region, 2 * ends + junctions, junctions, form);
   };
   expect_mitres("T", letter_t(16, 9), 3, 1);
   expect_mitres("Y", region_of(star_footprint({90, 210, 330}, 60, 16, 8)), 3, 1);
@@ -131,6 +132,31 @@ TEST(BeadBlocks, MitresLeadFromTheJunctionToEveryFoot) {
     EXPECT_TRUE(layout.vertices[edge.start == junction ? edge.end : edge.start].on_boundary);
   }
   EXPECT_EQ(mitres, 3) << "two concave feet and the far side of the bar";
+}
+
+/// The longest stretch of crest between a junction and the node next to it.
+double longest_beside_junction(const BlockLayout& layout) {
+  double longest = 0;
+  for (const VirtualEdge& edge : layout.edges) {
+    if (edge.kind != VirtualEdgeKind::ridge) continue;
+    double length = 0;
+    for (size_t i = 1; i < edge.points.size(); ++i) length += distance(edge.points[i - 1], edge.points[i]);
+    for (const Index v : {edge.start, edge.end}) {
+      int crests = 0;
+      for (const VirtualEdge& other : layout.edges)
+        if (other.kind == VirtualEdgeKind::ridge) crests += (other.start == v) + (other.end == v);
+      if (crests == 3) longest = std::max(longest, length / edge.count);
+    }
+  }
+  return longest;
+}
+
+TEST(BeadBlocks, FansGiveLongCrestsBesideWideFilletsMoreRows) {
+  const PlanarRegion region = letter_t(16, 16);
+  const Blocked mitre = blocked(region, 6, 1, HubForm::mitre), fan = blocked(region, 6, 1, HubForm::fan);
+  ASSERT_TRUE(mitre.layout && fan.layout);
+  EXPECT_GT(longest_beside_junction(*mitre.layout), 7.5);
+  EXPECT_LT(longest_beside_junction(*fan.layout), 6.5);
 }
 
 TEST(BeadBlocks, ArmTooShortForAStripBehindItsMitreIsRefused) {

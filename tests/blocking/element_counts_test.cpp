@@ -91,6 +91,14 @@ TEST(ElementCounts, SizeYieldsToTheMinimumLength) {
   EXPECT_EQ(short_one.edges[2].count, 1) << "shorter than the minimum, and still an element";
 }
 
+TEST(ElementCounts, LongSideIsNotOutvotedByTwoShortOnes) {
+  BlockLayout layout = grid({20}, {10, 10});
+  std::vector<double> lengths = flat_lengths(layout);
+  lengths[1] = lengths[2] = 10;  // a crest that runs on into a mitre, and its two feet
+  ASSERT_TRUE(assign_counts(layout, lengths, {5, 2.5}));
+  EXPECT_EQ(layout.edges[0].count, 3);
+}
+
 TEST(ElementCounts, ContradictionIsSaid) {
   BlockLayout layout = grid({20}, {10});
   layout.edges[0].count = 4;

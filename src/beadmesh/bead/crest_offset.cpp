@@ -7,33 +7,71 @@
 namespace beadmesh {
 namespace {
 
-constexpr double level = 0.93;
+/// Shares of the height between which the middle of the two walls is followed upwards.
+constexpr double low_level = 0.45, high_level = 0.72;
 constexpr int samples = 48;
 
-/// Flat offset of the crest from the medial point, to the left of the arm's direction; none where the
-/// touching line says nothing: oblique, or the crest would be far off.
-std::optional<double> offset_at(const MedialPoint& medial, const SurfaceMap& map) {
+/// The surface over a touching line: distance along the chord of its feet and height over it.
+struct Section {
+  std::vector<double> along, height;
+  double top = 0;
+};
+
+Section section_over(const MedialPoint& medial, const SurfaceMap& map) {
   const Vec2 left = medial.feet[0].point, right = medial.feet[1].point;
-  if (medial.radius <= 0 || medial.subtended_angle < radians(173)) return std::nullopt;
-  const auto flat_at = [&](int i) { return lerp(left, right, double(i) / samples); };
   FacetPoint at = map.locate(left);
   const Vec3 a = map.surface_point(at), b = map.surface_point(map.locate(right));
-  const Vec3 along = normalized(b - a);
-  std::vector<double> height;
+  const Vec3 chord = normalized(b - a);
+  Section out;
   for (int i = 0; i <= samples; ++i) {
-    at = map.locate(flat_at(i), at.triangle);
+    at = map.locate(lerp(left, right, double(i) / samples), at.triangle);
     const Vec3 p = map.surface_point(at) - a;
-    height.push_back(norm(p - along * dot(p, along)));
+    out.along.push_back(dot(p, chord));
+    out.height.push_back(norm(p - chord * out.along.back()));
   }
-  const double limit = level * *std::max_element(height.begin(), height.end());
-  if (limit < 0.02 * medial.radius) return std::nullopt;
-  int first = 0, last = samples;
-  while (height[first] < limit) ++first;
-  while (height[last] < limit) --last;
-  if (first == 0 || last == samples) return std::nullopt;
-  const double from = first - (height[first] - limit) / (height[first] - height[first - 1]);
-  const double to = last + (height[last] - limit) / (height[last] - height[last + 1]);
-  const double share = (from + to) / 2 / samples;
+  out.top = *std::max_element(out.height.begin(), out.height.end());
+  return out;
+}
+
+/// What of a section lies above a level: the samples, and the middle between the walls there.
+struct Above {
+  int first = 0, last = 0;
+  double middle = 0;
+};
+
+std::optional<Above> above(const Section& section, double level) {
+  const auto& h = section.height;
+  Above out{0, samples, 0};
+  while (h[out.first] < level) ++out.first;
+  while (h[out.last] < level) --out.last;
+  if (out.first == 0 || out.last == samples) return std::nullopt;
+  const auto along_at = [&](int inner, int outer) {
+    const double t = (h[inner] - level) / (h[inner] - h[outer]);
+    return section.along[inner] + t * (section.along[outer] - section.along[inner]);
+  };
+  out.middle = (along_at(out.first, out.first - 1) + along_at(out.last, out.last + 1)) / 2;
+  return out;
+}
+
+/// Flat offset of the crest from the medial point, to the left of the arm's direction; none where the
+/// touching line says nothing: oblique, or the crest would be far off. The line of the walls' middles,
+/// carried on to the top, runs along the direction of drawing, whether tops are round or flat.
+std::optional<double> offset_at(const MedialPoint& medial, const SurfaceMap& map) {
+  if (medial.radius <= 0 || medial.subtended_angle < radians(173)) return std::nullopt;
+  const Section section = section_over(medial, map);
+  if (section.top < 0.02 * medial.radius) return std::nullopt;
+  const double low = low_level * section.top, high = high_level * section.top;
+  const auto lower = above(section, low), upper = above(section, high);
+  if (!lower || !upper) return std::nullopt;
+  const double lean = (upper->middle - lower->middle) / (high - low);
+  const auto beside = [&](int i) {
+    return section.along[i] - upper->middle - lean * (section.height[i] - high);
+  };
+  int i = upper->first;
+  while (i < upper->last && beside(i + 1) <= 0) ++i;
+  if (beside(i) > 0 || i == upper->last) return std::nullopt;
+  const double share = (i + beside(i) / (beside(i) - beside(i + 1))) / samples;
+  const Vec2 left = medial.feet[0].point, right = medial.feet[1].point;
   const double offset = dot(lerp(left, right, share) - medial.point, normalized(left - right));
   if (std::abs(offset) > 0.4 * medial.radius) return std::nullopt;
   return offset;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadmesh/blocking/arm_line.h"
 #include "beadmesh/blocking/axis_station.h"
 #include "beadmesh/blocking/chord.h"
 
@@ -10,7 +11,9 @@ namespace beadmesh {
 namespace {
 
 constexpr double opposite_feet =
-    radians(165);  ///< a cut runs across the arm only where its feet face each other
+    radians(165);                    ///< a cut runs across the arm only where its feet face each other
+constexpr double longest_fan = 7;    ///< sizes along the crest
+constexpr double fan_margin = 1.12;  ///< minimum lengths a row has at a foot before the smoothing
 constexpr double flat_sector = radians(140);  ///< arms further apart leave a straight far side between them
 
 /// One end of an arm at a junction, seen outward from the junction.
@@ -25,67 +28,6 @@ struct Sector {
   bool flat = false;
   BoundaryPosition foot;
   Index vertex = no_index;  ///< shared by both cuts where the sector is not flat
-};
-
-/// A ridge arm with its medial axis, measured along the ridge.
-class ArmLine {
- public:
-  ArmLine(const SkeletonArm& medial, const RidgeArm& ridge, const std::vector<double>& loop_lengths)
-      : medial_(&medial), points_(ridge.points), loop_lengths_(&loop_lengths) {
-    at_.push_back(0);
-    for (size_t i = 1; i < points_.size(); ++i)
-      at_.push_back(at_.back() + distance(points_[i - 1], points_[i]));
-    medial_at_ = distances_along(medial);
-  }
-
-  double length() const { return at_.back(); }
-
-  Vec2 point(double along) const {
-    along = std::clamp(along, 0.0, length());
-    const size_t next = std::upper_bound(at_.begin(), at_.end(), along) - at_.begin();
-    const size_t i = std::clamp<size_t>(next, 1, points_.size() - 1) - 1;
-    const double step = at_[i + 1] - at_[i];
-    return lerp(points_[i], points_[i + 1], step > 0 ? (along - at_[i]) / step : 0);
-  }
-
-  std::vector<Vec2> between(double from, double to) const {
-    std::vector<Vec2> out;
-    const double margin = 1e-6 * length();
-    for (size_t i = 0; i < points_.size(); ++i)
-      if (at_[i] > from + margin && at_[i] < to - margin) out.push_back(points_[i]);
-    return out;
-  }
-
-  /// Distance along the ridge of its point nearest to p.
-  double nearest(Vec2 p) const { return nearest_on(points_, at_, p); }
-
-  /// The touching line of the medial point nearest to the ridge at `along`.
-  AxisStation station(double along) const {
-    std::vector<Vec2> axis;
-    for (const MedialPoint& m : medial_->points) axis.push_back(m.point);
-    return station_at(*medial_, nearest_on(axis, medial_at_, point(along)), *loop_lengths_);
-  }
-
- private:
-  static double nearest_on(const std::vector<Vec2>& line, const std::vector<double>& at, Vec2 p) {
-    double best = 0, best_distance = distance(line.front(), p);
-    for (size_t i = 1; i < line.size(); ++i) {
-      const Vec2 a = line[i - 1], u = line[i] - a;
-      const double uu = dot(u, u);
-      const double t = uu > 0 ? std::clamp(dot(p - a, u) / uu, 0.0, 1.0) : 0;
-      const double d = distance(a + u * t, p);
-      if (d < best_distance) {
-        best_distance = d;
-        best = at[i - 1] + t * std::sqrt(uu);
-      }
-    }
-    return best;
-  }
-
-  const SkeletonArm* medial_;
-  std::vector<Vec2> points_;
-  const std::vector<double>* loop_lengths_;
-  std::vector<double> at_, medial_at_;
 };
 
 class BeadBlocks {
@@ -117,7 +59,7 @@ class BeadBlocks {
       if (ridge_.nodes[n].arms.size() > 1) place_hub(n);
     for (Index a = 0; a < Index(arms_.size()); ++a)
       if (const auto placed = place_arm(a); !placed) return tl::unexpected(placed.error());
-    for (Index n = 0; n < Index(ridge_.nodes.size()) && options_.hub == HubForm::square; ++n)
+    for (Index n = 0; n < Index(ridge_.nodes.size()) && !is_mitred(); ++n)
       if (ridge_.nodes[n].arms.size() > 1) add_hub_blocks(n);
     return builder_.take();
   }
@@ -127,6 +69,8 @@ class BeadBlocks {
     std::vector<ArmEnd> ends;
     std::vector<Sector> sectors;  ///< sector i lies between ends i and i + 1
   };
+
+  bool is_mitred() const { return options_.hub != HubForm::square; }
 
   std::vector<ArmEnd> ends_of(Index n) const {
     std::vector<ArmEnd> ends;
@@ -173,13 +117,12 @@ class BeadBlocks {
     const size_t k = hub.ends.size();
     for (size_t i = 0; i < k; ++i) {
       hub.sectors.push_back(sector_between(hub.ends[i], hub.ends[(i + 1) % k]));
-      if (!hub.sectors[i].flat || options_.hub == HubForm::mitre)
+      if (!hub.sectors[i].flat || is_mitred())
         hub.sectors[i].vertex = builder_.add_boundary_vertex(hub.sectors[i].foot);
     }
     for (size_t i = 0; i < k; ++i) {
       const Sector &right = hub.sectors[(i + k - 1) % k], &left = hub.sectors[i];
-      options_.hub == HubForm::mitre ? place_mitre(n, hub.ends[i], right, left)
-                                     : place_hub_chord(n, hub.ends[i], right, left);
+      is_mitred() ? place_mitre(n, hub.ends[i], right, left) : place_hub_chord(n, hub.ends[i], right, left);
     }
     hubs_.emplace_back(n, std::move(hub));
   }
@@ -269,7 +212,7 @@ class BeadBlocks {
 
   /// No room for a strip: the two ends share one cut.
   Result<void> place_short_arm(Index a, bool start_tip, bool end_tip, double middle) {
-    if (options_.hub == HubForm::mitre && !(start_tip && end_tip))
+    if (is_mitred() && !(start_tip && end_tip))
       return fail("blocking.short_arm", "an arm is too short for a strip between mitres");
     if (!start_tip && !end_tip)
       return fail("blocking.short_arm", "two junctions are too near for a block between them");
@@ -321,8 +264,63 @@ class BeadBlocks {
     return out;
   }
 
-  /// Touching lines about every four elements keep the two sides of a winding arm in step.
+  /// A cut where the fan of rows behind a mitre has come to stand across the arm.
+  struct Fan {
+    double along = 0;
+    int rows = 0;  ///< 0: none
+  };
+
+  /// Length of the shorter side between a cut of the arm and the touching line at `along`.
+  double shorter_side(Index a, const Chord& from, double along) const {
+    const AxisStation to = arms_[a].station(along);
+    const auto& vertices = builder_.layout().vertices;
+    const BoundaryPosition left = vertices[from.left].boundary, right = vertices[from.right].boundary;
+    if (left.loop != to.left.loop || right.loop != to.right.loop) return 0;
+    return std::min(std::abs(loop_difference(left.position, to.left.position, loop_lengths_[left.loop])),
+                    std::abs(loop_difference(right.position, to.right.position, loop_lengths_[right.loop])));
+  }
+
+  /// Behind a mitre the crest is longer than the feet by as much as the mitre runs along the arm. The cut is
+  /// put where the number of rows that the feet have room for suits the crest best.
+  Fan fan_behind(Index a, const Chord& mitre, double room) const {
+    const double step = options_.size / 5, outward = mitre.along > 0 ? -1 : 1;
+    Fan best;
+    double best_misfit = 1e300;
+    for (double length = 2 * options_.size; length <= std::min(room, longest_fan * options_.size);
+         length += step) {
+      const double along = mitre.along + outward * length;
+      const int rows = int(shorter_side(a, mitre, along) / (fan_margin * options_.min_edge));
+      const double misfit = std::abs(std::log(length / (std::max(rows, 1) * options_.size)));
+      if (rows < 1 || misfit > best_misfit - 1e-9) continue;
+      best = {along, rows};
+      best_misfit = misfit;
+    }
+    return best;
+  }
+
+  /// Strip of an arm; where it begins or ends in a mitre, with a fan of rows there.
   void add_strip(Index a, const Chord& first, const Chord& last) {
+    const bool fans = options_.hub == HubForm::fan && !options_.elements_along;
+    const bool at_start = fans && !has_tip(a, false), at_end = fans && !has_tip(a, true);
+    const double room = (last.along - first.along) / (at_start && at_end ? 2 : 1) - options_.size;
+    Chord from = first, to = last;
+    const Fan near = at_start ? fan_behind(a, first, room) : Fan{},
+              far = at_end ? fan_behind(a, last, room) : Fan{};
+    if (near.rows) from = cut_of_strip(a, near.along);
+    if (far.rows) to = cut_of_strip(a, far.along);
+    if (near.rows) add_strip_blocks(a, first, from, near.rows);
+    add_even_strip(a, from, to);
+    if (far.rows) add_strip_blocks(a, to, last, far.rows);
+  }
+
+  Chord cut_of_strip(Index a, double along) {
+    Chord chord = chord_on_arm(a, along);
+    add_chord_edges(builder_, chord, options_.elements_across, 0);
+    return chord;
+  }
+
+  /// Touching lines about every four elements keep the two sides of a winding arm in step.
+  void add_even_strip(Index a, const Chord& first, const Chord& last) {
     const double length = last.along - first.along;
     const int asked = options_.elements_along;
     const double size = asked ? length / asked : options_.size;
@@ -335,15 +333,15 @@ class BeadBlocks {
       const double along = first.along + length * i / pieces;
       const AxisStation station = arms_[a].station(along);
       if (!advances(before, station)) continue;
-      Chord trial;
-      trial.left = builder_.add_boundary_vertex(station.left);
-      trial.right = builder_.add_boundary_vertex(station.right);
-      if (!advances(trial, as_station(last))) continue;
-      trial.along = along;
-      trial.middle = builder_.add_vertex(arms_[a].point(along));
-      add_chord_edges(builder_, trial, options_.elements_across, 0);
-      add_strip_blocks(a, before, trial, count_to(along) - count_to(before.along));
-      before = trial;
+      Chord cut;
+      cut.left = builder_.add_boundary_vertex(station.left);
+      cut.right = builder_.add_boundary_vertex(station.right);
+      if (!advances(cut, as_station(last))) continue;
+      cut.along = along;
+      cut.middle = builder_.add_vertex(arms_[a].point(along));
+      add_chord_edges(builder_, cut, options_.elements_across, 0);
+      add_strip_blocks(a, before, cut, count_to(along) - count_to(before.along));
+      before = cut;
     }
     add_strip_blocks(a, before, last, count_to(last.along) - count_to(before.along));
   }

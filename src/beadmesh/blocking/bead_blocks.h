@@ -10,8 +10,9 @@ namespace beadmesh {
 
 /// What arms of a generic bead meet in. square: each ends at a cut through the feet beside it, and blocks
 /// fill the middle; mitre: each runs on to the lines from the junction to the feet, as mouldings meet in a
-/// corner.
-enum class HubForm { square, mitre };
+/// corner; fan: the same, with as many rows behind the lines as the feet have room for, where the crest is
+/// longer than they are.
+enum class HubForm { square, mitre, fan };
 
 struct BeadBlockOptions {
   double size = 5;          ///< default 5 mm: target element length

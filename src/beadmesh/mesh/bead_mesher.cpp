@@ -24,7 +24,7 @@ namespace {
 /// Worst scaled Jacobian that a bead mesh may show before the next method is tried.
 constexpr double acceptable_jacobian = 0.35;
 /// Fewer elements across are tried where no score reaches it.
-constexpr double fair_score = 0.6;
+constexpr double fair_score = 0.5;
 /// Scaled Jacobian that is given up for the surface and for warpage: in beads with and without junctions.
 /// Where arms meet in mitres, corners are sharper anyhow.
 constexpr double floor_of_junctions = 0.7, floor_without = 0.858;
@@ -32,6 +32,8 @@ constexpr double floor_of_junctions = 0.7, floor_without = 0.858;
 constexpr double good_enough = 0.015;
 /// Shapes that are better than the floor count so much less.
 constexpr double surplus_share = 0.2;
+/// What is missing to the floor counts so much more.
+constexpr double shortfall_weight = 2;
 
 /// Criteria of crash and other models let no element be warped more.
 constexpr double largest_warpage = radians(15);
@@ -44,6 +46,8 @@ constexpr double most_gain_on_surface = 0.12;
 
 /// Distance between a section of the bead and the elements across it, as a share of the size.
 constexpr double acceptable_deviation = 0.08;
+/// What a bead loses in score for each size that it lies further from the surface.
+constexpr double deviation_cost = 4;
 constexpr int most_across = 12;
 /// Two rows around the core follow a wall; the core needs two elements more.
 constexpr int least_across_of_two_bands = 6;
@@ -92,8 +96,8 @@ struct Judged {
 /// `floor`: the scaled Jacobian beyond which more counts little.
 double score_of(const SmoothingReport& report, double size, double floor) {
   const double excess = std::max(0.0, report.deviation / size - acceptable_deviation);
-  const double surplus = std::max(0.0, report.scaled_jacobian_min - floor);
-  return report.scaled_jacobian_min - (1 - surplus_share) * surplus - 2 * excess;
+  const double surplus = report.scaled_jacobian_min - floor;
+  return floor + (surplus > 0 ? surplus_share : shortfall_weight) * surplus - deviation_cost * excess;
 }
 
 /// The loops of the boundary as lines to slide along, but for those whose nodes a neighbour has set. Tips
@@ -279,6 +283,7 @@ class BeadMesher {
     const int most_bands = elements_across >= least_across_of_two_bands ? 2 : 1;
     for (int bands = most_bands; bands >= 1; --bands) {
       if (joins) out.push_back({HubForm::mitre, bands});
+      if (joins && bands == most_bands) out.push_back({HubForm::fan, bands});
       out.push_back({HubForm::square, bands});
     }
     return out;
