@@ -11,6 +11,7 @@
 
 #include "examples/example_panels.h"
 #include "examples/filleted_panel.h"
+#include "examples/kernel_panel.h"
 #include "examples/shape_catalogue.h"
 #include "examples/shape_panels.h"
 #include "examples/step_file.h"
@@ -38,7 +39,7 @@ struct Request {
   std::string name, step, truth, base;
   ShapePanelOptions shapes;
   RandomPanelOptions random;
-  bool walls = false;
+  bool walls = false, kernel = false;
 };
 
 std::string names() {
@@ -73,6 +74,8 @@ void add_options(CLI::App& app, Request& request) {
       ->check(CLI::Range(80.0, 10000.0));
   app.add_flag("--walls", request.walls,
                "beads of many faces: root fillets, walls and top fillets by chance");
+  app.add_flag("--kernel", request.kernel,
+               "flat, with vertical walls and fillets of the CAD kernel, radii by chance");
   app.add_option("--seed", request.random.seed, "shapes: turns and stretches (0: none); random: the mix (1)");
 }
 
@@ -88,7 +91,10 @@ std::optional<PanelDesign> bare_design(Request& request) {
 
 std::optional<PanelDesign> design_of(Request& request) {
   std::optional<PanelDesign> design = bare_design(request);
-  if (design && request.walls) add_walls(*design, request.random.seed);
+  if (design && request.kernel)
+    prepare_for_kernel(*design, request.random.seed);
+  else if (design && request.walls)
+    add_walls(*design, request.random.seed);
   return design;
 }
 
@@ -105,7 +111,8 @@ int run(Request& request) {
     std::cerr << "no such panel or shape; panels:" << names() << "; shapes: " << shape_names() << "\n";
     return 2;
   }
-  if (!write_panel(*design, request.step)) return cannot_write(request.step);
+  if (!(request.kernel ? write_kernel_panel : write_panel)(*design, request.step))
+    return cannot_write(request.step);
   if (!request.truth.empty() && !(std::ofstream(request.truth) << truth_json(*design) << std::flush))
     return cannot_write(request.truth);
   return 0;

@@ -93,6 +93,15 @@ Vec2 place_in_rows(std::vector<Group>& groups, double row_length, double gap) {
 
 constexpr double clearance = 9;  // mm, between features and to the edge
 
+/// Straight edges may cross another loop with no end of theirs in it.
+bool cross_each_other(const PlanLoop& loop, const BoundaryDistance& other) {
+  constexpr double step = 2;  // mm
+  for (const PlanEdge& edge : loop)
+    for (double at = step; !edge.is_arc() && at < edge.length(); at += step)
+      if (other(edge.point(at / edge.length())) > 0) return true;
+  return false;
+}
+
 /// Least distance of the sampled loops of two features; 0 where one lies within the other.
 double distance_between(const Feature& a, const Feature& b) {
   const PlanLoop of_a = a.loops().front(), of_b = b.loops().front();
@@ -100,7 +109,7 @@ double distance_between(const Feature& a, const Feature& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2 p : sampled(of_b)) least = std::min(least, -to_a(p));
   for (const Vec2 p : sampled(of_a)) least = std::min(least, -to_b(p));
-  return std::max(least, 0.0);
+  return cross_each_other(of_a, to_b) ? 0 : std::max(least, 0.0);
 }
 
 class RandomPanel {

@@ -1,9 +1,13 @@
 // vary_panel: writes a STEP panel once more as another system might hand it over: another format and unit,
 // turned in space, mirrored, its faces in another order, turned over, loose or doubled, or with thickness.
+#include <BRepAlgoAPI_Splitter.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepOffset_MakeOffset.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
 #include <CLI/CLI.hpp>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -13,6 +17,7 @@
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
@@ -22,6 +27,7 @@
 #include <filesystem>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 #include <iostream>
@@ -39,6 +45,7 @@ struct Variant {
   std::string input, output, unit = "mm";
   std::uint64_t seed = 1;
   bool is_turned = false, is_mirrored = false, is_shuffled = false, is_flipped = false;
+  double sliver = 0;     ///< mm, width of strips that a cut along two planes leaves
   double gap = 0;        ///< mm, up to which faces are moved apart
   int doubled = 0;       ///< how many faces come twice
   double thickness = 0;  ///< mm; the panel as a solid
@@ -55,6 +62,7 @@ void add_options(CLI::App& app, Variant& v) {
   app.add_flag("--mirror", v.is_mirrored, "mirror it");
   app.add_flag("--shuffle", v.is_shuffled, "faces in another order");
   app.add_flag("--flip", v.is_flipped, "turn half of the faces over");
+  app.add_option("--sliver", v.sliver, "cut along two planes so many mm apart: narrow faces, short edges");
   app.add_option("--gap", v.gap, "loose faces, each moved by up to half of so many mm");
   app.add_option("--double", v.doubled, "so many faces twice");
   app.add_option("--copies", v.copies, "so many panels above each other, an assembly");
@@ -87,6 +95,26 @@ TopoDS_Shape placed(TopoDS_Shape shape, const Variant& v, Chance& chance) {
   BRepOffset_MakeOffset solid(shape, v.thickness, 1e-4, BRepOffset_Skin, false, false, GeomAbs_Arc, true);
   if (!solid.IsDone()) throw Standard_Failure("no solid of this thickness");
   return solid.Shape();
+}
+
+/// All faces cut along two upright planes that lie askew through the middle.
+TopoDS_Shape with_slivers(const TopoDS_Shape& shape, double width) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+  const gp_Dir normal(1, 0.37, 0);
+  TopTools_ListOfShape whole, planes;
+  whole.Append(shape);
+  for (const double at : {0.0, width}) {
+    const gp_Pnt middle = gp_Pnt((low.XYZ() + high.XYZ()) / 2).Translated(gp_Vec(normal) * at);
+    planes.Append(BRepBuilderAPI_MakeFace(gp_Pln(middle, normal), -1e4, 1e4, -1e4, 1e4).Face());
+  }
+  BRepAlgoAPI_Splitter splitter;
+  splitter.SetArguments(whole);
+  splitter.SetTools(planes);
+  splitter.Build();
+  if (!splitter.IsDone()) throw Standard_Failure("cannot be cut");
+  return splitter.Shape();
 }
 
 /// One shell where nothing is loose, else a compound of faces.
@@ -151,7 +179,9 @@ int run(const Variant& v) {
   }
   reader.TransferRoots();
   Chance chance(v.seed);
-  if (write(copied(varied(placed(reader.OneShape(), v, chance), v, chance), v), v)) return 0;
+  TopoDS_Shape shape = reader.OneShape();
+  if (v.sliver > 0) shape = with_slivers(shape, v.sliver);
+  if (write(copied(varied(placed(shape, v, chance), v, chance), v), v)) return 0;
   std::cerr << "cannot write " << v.output << "\n";
   return 2;
 }

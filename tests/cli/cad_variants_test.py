@@ -70,6 +70,16 @@ class CadVariants(VariedCase):
         self.assert_same_beads(self.table(loose), self.reference)
         self.assertEqual([], self.table(loose, "--gap", 1e-4)["beads"])
 
+    def test_narrow_faces_and_short_edges_are_taken_up(self):
+        """All faces cut twice, 0.05 mm apart: strips of sheet, of beads, and of a round emboss, which stays no bead."""
+        path = self.vary("slivers.step", "--sliver", 0.05)
+        self.assert_same_beads(self.table(path), self.reference)
+        deck = self.folder / "slivers.bdf"
+        result = run("mesh", path, "-o", deck, "--size", 10, "--json", "-")
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        quality = json.loads(result.stdout)["mesh"]["quality"]
+        self.assertEqual(0, quality["edges_below_min"])
+
     def test_a_solid_becomes_a_skin(self):
         for options, thickness in ((["--thickness", 1.2, "--turn"], 1.2), (["--thickness", -0.8, "--shuffle"], 0.8)):
             solid = self.vary("solid.step", *options)

@@ -15,6 +15,7 @@ namespace {
 struct CrossSection {
   Vec3 crest;
   double chord = 0;   ///< distance between the two feet
+  double width = 0;   ///< thickness of the bead: the chord, but where both feet lie on one side of the disc
   double height = 0;  ///< of the crest over the chord
   double rise = 0;    ///< of the crest over the sheet, continued as an arc between the feet
 };
@@ -28,6 +29,10 @@ CrossSection cross_section(const FaceStudy& study, const MedialPoint& medial) {
   const Vec3 a = map.surface_point(left), b = map.surface_point(right);
   out.crest = map.surface_point(crest);
   out.chord = distance(a, b);
+  // At the end of an axis, and on all of it where the face is all but round, both feet run together: the disc
+  // is as thick as ever.
+  const bool is_across = distance(medial.feet[0].point, medial.feet[1].point) > medial.radius;
+  out.width = is_across ? out.chord : std::max(out.chord, 2 * medial.radius);
   if (out.chord <= 0) return out;
   const Vec3 along = (b - a) / out.chord;
   const Vec3 from_chord = (out.crest - a) - along * dot(out.crest - a, along);
@@ -79,7 +84,7 @@ void add_edge(const FaceStudy& study, const MedialObject& medial, const MedialEd
   for (size_t i = 1; i < sections.size(); ++i) {
     const CrossSection &a = sections[i - 1], &b = sections[i];
     const Vec2 middle = lerp(edge.points[i - 1].point, edge.points[i % edge.points.size()].point, 0.5);
-    sum.steps.push_back({distance(a.crest, b.crest), (a.chord + b.chord) / 2, (a.height + b.height) / 2,
+    sum.steps.push_back({distance(a.crest, b.crest), (a.width + b.width) / 2, (a.height + b.height) / 2,
                          (a.rise + b.rise) / 2, in_junction(medial, edge, middle)});
     length += sum.steps.back().length;
     width += sum.steps.back().length * sum.steps.back().width;
