@@ -128,7 +128,7 @@ class KernelPanel {
         if (std::abs(m.Z() - feature.height) < exact) fillets.Add(feature.walls.top_radius, edge);
       }
     }
-    fprintf(stderr,"contours %d\n",fillets.NbContours()); if (fillets.NbContours() > 0) { fillets.Build(); fprintf(stderr,"done %d faulty %d\n",fillets.IsDone(),fillets.NbFaultyContours()); solid_ = fillets.Shape();}
+    if (fillets.NbContours() > 0) solid_ = fillets.Shape();
   }
 
   /// Faces that do not reach the bottom.
@@ -171,8 +171,7 @@ void prepare_for_kernel(PanelDesign& panel, std::uint64_t seed) {
 bool write_kernel_panel(const PanelDesign& panel, const std::filesystem::path& path) {
   try {
     return write_shape(KernelPanel(panel).skin(), path);
-  } catch (const Standard_Failure& f) {
-    fprintf(stderr,"%s %s\n",f.DynamicType()->Name(),f.GetMessageString());
+  } catch (const Standard_Failure&) {
     return false;
   }
 }

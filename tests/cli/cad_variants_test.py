@@ -105,25 +105,29 @@ class CadVariants(VariedCase):
 class ManyFacedPanels(VariedCase):
     """Random beads with walls and fillets: every one is found with its kind, nothing else is."""
 
-    def test_seeds(self):
+    def check(self, *options):
+        step, truth = self.folder / "walls.step", self.folder / "truth.json"
+        subprocess.run([MAKE_EXAMPLE_PANEL, "random", step, truth, *options], check=True, timeout=TIMEOUT)
+        features = json.loads(truth.read_text())["features"]
+        wanted = [i for i, f in enumerate(features) if f["paper_rule"] != "none"]
+        found = {}
+        for bead in self.table(step)["beads"]:
+            owners = [i for i, f in enumerate(features) if contains(f, bead["point"])]
+            self.assertEqual(1, len(owners), bead)
+            found[owners[0]] = bead
+        self.assertEqual(wanted, sorted(found))
+        for i in wanted:
+            self.assertEqual(features[i]["paper_rule"], found[i]["kind"])
+            self.assertGreater(len(found[i]["faces"]), 8)
+            self.assertAlmostEqual(1, found[i]["width"] / features[i]["mean_width"], delta=0.05)
+
+    def test_drafted_walls(self):
         for seed, base in ((1, "flat"), (4, "cylinder"), (6, "double")):
             with self.subTest(seed=seed, base=base):
-                step, truth = self.folder / "walls.step", self.folder / "truth.json"
-                subprocess.run([MAKE_EXAMPLE_PANEL, "random", step, truth, "--walls", "--beads", "7", "--seed", str(seed),
-                                "--base", base], check=True, timeout=TIMEOUT)
-                features = json.loads(truth.read_text())["features"]
-                wanted = [i for i, f in enumerate(features) if f["paper_rule"] != "none"]
-                found = {}
-                for bead in self.table(step)["beads"]:
-                    owners = [i for i, f in enumerate(features) if contains(f, bead["point"])]
-                    self.assertEqual(1, len(owners), bead)
-                    found[owners[0]] = bead
-                self.assertEqual(wanted, sorted(found))
-                for i in wanted:
-                    self.assertEqual(features[i]["paper_rule"], found[i]["kind"])
-                    self.assertGreater(len(found[i]["faces"]), 8)
-                    self.assertAlmostEqual(1, found[i]["width"] / features[i]["mean_width"], delta=0.05)
+                self.check("--walls", "--beads", "7", "--seed", str(seed), "--base", base)
 
+    def test_fillets_of_the_kernel(self):
+        self.check("--kernel", "--beads", "5", "--seed", "3")
 
     def test_rings_that_share_loops_are_rings_of_their_own(self):
         step, truth = self.folder / "corrugated.step", self.folder / "truth.json"
