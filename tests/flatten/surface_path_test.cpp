@@ -20,7 +20,7 @@ double length(const Facets& facets, const std::vector<PathStop>& way) {
   return sum;
 }
 
-Index vertex_at(const Facets& facets, Vec3 p) {
+Index vertex_nearest(const Facets& facets, Vec3 p) {
   Index best = 0;
   for (Index v = 0; v < static_cast<Index>(facets.points.size()); ++v)
     if (distance(facets.points[v], p) < distance(facets.points[best], p)) best = v;
@@ -31,7 +31,7 @@ TEST(SurfacePath, StraightAcrossAPlaneAgainstTheGrain) {
   const Facets plane = sheet(14, 9, [](double s, double t) { return Vec3{50 * s, 30 * t, 0}; });
   for (const Vec3 end : {Vec3{50, 30, 0}, Vec3{0, 30, 0}, Vec3{50, 12, 0}}) {
     const Vec3 start = end.x > 0 ? Vec3{0, 0, 0} : Vec3{50, 0, 0};
-    const auto way = shortest_path(plane, {vertex_at(plane, start)}, {vertex_at(plane, end)});
+    const auto way = shortest_path(plane, {vertex_nearest(plane, start)}, {vertex_nearest(plane, end)});
     ASSERT_GE(way.size(), 2);
     EXPECT_TRUE(way.front().is_vertex() && way.back().is_vertex());
     const double exact = distance(start, plane.points[way.back().from]);
@@ -41,8 +41,8 @@ TEST(SurfacePath, StraightAcrossAPlaneAgainstTheGrain) {
 
 TEST(SurfacePath, ScrewLineOnACylinder) {
   const Facets part = cylinder(10, 2, 20);
-  const Index from = vertex_at(part, {10 * std::sin(-1), 0, 10 * std::cos(-1)}),
-              to = vertex_at(part, {10 * std::sin(1), 20, 10 * std::cos(1)});
+  const Index from = vertex_nearest(part, {10 * std::sin(-1), 0, 10 * std::cos(-1)}),
+              to = vertex_nearest(part, {10 * std::sin(1), 20, 10 * std::cos(1)});
   const auto way = shortest_path(part, {from}, {to});
   EXPECT_NEAR(length(part, way), std::hypot(20, 20), 0.1);
 }
@@ -55,8 +55,8 @@ TEST(SurfacePath, NoWayIsEmpty) {
 
 TEST(SurfacePath, FarthestVertexOfASheetIsTheOppositeCorner) {
   const Facets plane = sheet(14, 9, [](double s, double t) { return Vec3{50 * s, 30 * t, 0}; });
-  const Index corner = vertex_at(plane, {0, 30, 0});
-  EXPECT_EQ(farthest_vertex(plane, {vertex_at(plane, {50, 0, 0})}), corner);
+  const Index corner = vertex_nearest(plane, {0, 30, 0});
+  EXPECT_EQ(farthest_vertex(plane, {vertex_nearest(plane, {50, 0, 0})}), corner);
 }
 
 }  // namespace

@@ -53,13 +53,13 @@ PlanarRegion noisy(const PlanarRegion& exact, double spacing, double amplitude, 
   return finished(std::move(region), {});
 }
 
-struct Shape {
+struct NoisyShape {
   std::string name;
   std::function<PlanarRegion(double spacing)> make;
 };
 
 /// Facets of arcs about as long as the spacing.
-std::vector<Shape> shapes() {
+std::vector<NoisyShape> noisy_shapes() {
   const auto facets = [](double spacing, double radius) {
     return Accuracy{false, std::min(radians(12), spacing / radius), 0.2};
   };
@@ -85,7 +85,7 @@ std::vector<Shape> shapes() {
 // The noise rule: a bump of eps at one sample gives a spike once eps > h^2 / 2
 // r; also beyond it nothing may change.
 TEST(Noise, TopologyStays) {
-  for (const Shape& shape : shapes()) {
+  for (const NoisyShape& shape : noisy_shapes()) {
     const auto smooth = medial_object(shape.make(2));
     ASSERT_TRUE(smooth) << to_line(smooth.error());
     const MedialCounts expected = medial_counts(*smooth);

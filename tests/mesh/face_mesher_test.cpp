@@ -7,19 +7,12 @@
 #include "bead/studied_bead.h"
 #include "beadmesh/mesh/element_quality.h"
 #include "examples/skeletons.h"
+#include "mesh/sample_loops.h"
 
 namespace beadmesh {
 namespace {
 
 using namespace shapes;
-
-void add_loop(NodeLoops& loops, const std::vector<Vec2>& points) {
-  loops.loops.emplace_back();
-  for (const Vec2 p : points) {
-    loops.loops.back().push_back(Index(loops.nodes.size()));
-    loops.nodes.push_back(p);
-  }
-}
 
 std::vector<Vec2> box(double width, double height, int across, int up) {
   const Vec2 corners[] = {
@@ -55,7 +48,7 @@ QualitySummary quality(const PlanarMesh& mesh) {
 TEST(FaceMesher, RectangleIsAGrid) {
   const auto study = sheet();
   NodeLoops loops;
-  add_loop(loops, box(100, 60, 20, 12));
+  test::add_loop(loops, box(100, 60, 20, 12));
   const auto mesh = mesh_face(loops, *study->map);
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(verify_planar_mesh(*mesh, loops), std::vector<std::string>{});
@@ -66,8 +59,8 @@ TEST(FaceMesher, RectangleIsAGrid) {
 TEST(FaceMesher, PlateWithAHoleIsAllQuadsAndGood) {
   const auto study = sheet();
   NodeLoops loops;
-  add_loop(loops, box(100, 60, 20, 12));
-  add_loop(loops, hole(12, 14));
+  test::add_loop(loops, box(100, 60, 20, 12));
+  test::add_loop(loops, hole(12, 14));
   const auto mesh = mesh_face(loops, *study->map);
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(verify_planar_mesh(*mesh, loops), std::vector<std::string>{});
@@ -81,8 +74,8 @@ TEST(FaceMesher, PlateWithAHoleIsAllQuadsAndGood) {
 TEST(FaceMesher, NodesOfTheLoopsKeepIndexAndPlace) {
   const auto study = sheet();
   NodeLoops loops;
-  add_loop(loops, box(100, 60, 19, 11));
-  add_loop(loops, hole(12, 16));
+  test::add_loop(loops, box(100, 60, 19, 11));
+  test::add_loop(loops, hole(12, 16));
   const auto mesh = mesh_face(loops, *study->map);
   ASSERT_TRUE(mesh);
   for (size_t n = 0; n < loops.nodes.size(); ++n) EXPECT_EQ(mesh->nodes[n], loops.nodes[n]);
@@ -91,8 +84,8 @@ TEST(FaceMesher, NodesOfTheLoopsKeepIndexAndPlace) {
 TEST(FaceMesher, OddBoundaryCostsOneTriangle) {
   const auto study = sheet();
   NodeLoops loops;
-  add_loop(loops, box(100, 60, 20, 12));
-  add_loop(loops, hole(12, 13));
+  test::add_loop(loops, box(100, 60, 20, 12));
+  test::add_loop(loops, hole(12, 13));
   const auto mesh = mesh_face(loops, *study->map);
   ASSERT_TRUE(mesh);
   EXPECT_EQ(verify_planar_mesh(*mesh, loops), std::vector<std::string>{});
@@ -102,10 +95,10 @@ TEST(FaceMesher, OddBoundaryCostsOneTriangle) {
 TEST(FaceMesher, LoopsThatCrossAreRefused) {
   const auto study = sheet();
   NodeLoops loops;
-  add_loop(loops, box(100, 60, 20, 12));
+  test::add_loop(loops, box(100, 60, 20, 12));
   auto shifted = hole(12, 14);
   for (Vec2& p : shifted) p.x += 47;
-  add_loop(loops, shifted);
+  test::add_loop(loops, shifted);
   const auto mesh = mesh_face(loops, *study->map);
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code.substr(0, 5), "mesh.");

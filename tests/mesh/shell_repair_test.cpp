@@ -37,7 +37,9 @@ TEST(ShellRepair, ShiftedNodesComeBackOntoTheSurface) {
     EXPECT_NEAR(std::hypot(nodes[n].x, nodes[n].z), 80, 0.2);
     const bool moved = std::binary_search(report.moved.begin(), report.moved.end(), Index(n));
     EXPECT_EQ(moved, nodes[n] != before[n]);
-    if (mesh.freedom[n] == NodeFreedom::fixed) EXPECT_EQ(nodes[n], before[n]) << "free edge";
+    if (mesh.freedom[n] == NodeFreedom::fixed) {
+      EXPECT_EQ(nodes[n], before[n]) << "free edge";
+    }
   }
   EXPECT_LT(report.moved.size(), 60u) << "only what is near";
 }

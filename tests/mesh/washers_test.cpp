@@ -8,17 +8,10 @@
 
 #include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/mesh/subdivision_mesher.h"
+#include "mesh/sample_loops.h"
 
 namespace beadmesh {
 namespace {
-
-void add_loop(NodeLoops& loops, const std::vector<Vec2>& points) {
-  loops.loops.emplace_back();
-  for (const Vec2 p : points) {
-    loops.loops.back().push_back(Index(loops.nodes.size()));
-    loops.nodes.push_back(p);
-  }
-}
 
 std::vector<Vec2> hole(Vec2 centre, double radius, int n) {
   std::vector<Vec2> points;
@@ -35,7 +28,7 @@ NodeLoops plate() {
   for (int i = 0; i < 12; ++i) box.push_back({50, -30 + 5.0 * i});
   for (int i = 0; i < 20; ++i) box.push_back({50 - 5.0 * i, 30});
   for (int i = 0; i < 12; ++i) box.push_back({-50, 30 - 5.0 * i});
-  add_loop(loops, box);
+  test::add_loop(loops, box);
   return loops;
 }
 
@@ -75,7 +68,7 @@ TEST(WasherControl, SenselessValuesAreRefused) {
 
 TEST(WasherRings, AreConcentric) {
   NodeLoops loops = plate();
-  add_loop(loops, hole({4, -3}, 8, 12));
+  test::add_loop(loops, hole({4, -3}, 8, 12));
   const auto rings = washer_rings(loops, {{1, 2, 5}}, 5, 2.5);
   ASSERT_EQ(rings.size(), 1);
   ASSERT_EQ(rings[0].rings.size(), 2);
@@ -89,9 +82,9 @@ TEST(WasherRings, AreConcentric) {
 
 TEST(WasherRings, KeepAwayFromOtherLoopsAndFromEachOther) {
   NodeLoops loops = plate();
-  add_loop(loops, hole({-24, 0}, 8, 12));
-  add_loop(loops, hole({6, 0}, 8, 12));
-  add_loop(loops, hole({38, 0}, 8, 12));  // 4 from the edge of the plate
+  test::add_loop(loops, hole({-24, 0}, 8, 12));
+  test::add_loop(loops, hole({6, 0}, 8, 12));
+  test::add_loop(loops, hole({38, 0}, 8, 12));  // 4 from the edge of the plate
   const auto rings = washer_rings(loops, {{1, 2, 5}, {2, 2, 5}, {3, 1, 5}}, 5, 2.5);
   ASSERT_EQ(rings.size(), 1);
   EXPECT_EQ(rings[0].loop, 1);
@@ -104,16 +97,16 @@ TEST(WasherRings, AnIslandNeedsMoreRoom) {
     NodeLoops loops;
     auto outer = hole({0, 0}, radius, 40);
     std::reverse(outer.begin(), outer.end());
-    add_loop(loops, outer);
-    add_loop(loops, hole({0, 0}, 14, 20));
+    test::add_loop(loops, outer);
+    test::add_loop(loops, hole({0, 0}, 14, 20));
     EXPECT_EQ(washer_rings(loops, {{1, 1, 5}}, 5, 2.5).size(), count) << radius;
   }
 }
 
 TEST(WithWashers, TheWholeIsAConformingMesh) {
   NodeLoops loops = plate();
-  add_loop(loops, hole({-20, 3}, 6, 10));
-  add_loop(loops, hole({25, -2}, 10, 14));
+  test::add_loop(loops, hole({-20, 3}, 6, 10));
+  test::add_loop(loops, hole({25, -2}, 10, 14));
   const auto rings = washer_rings(loops, {{1, 1, 5}, {2, 2, 4}}, 5, 2.5);
   ASSERT_EQ(rings.size(), 2);
   const auto outside = mesh_by_subdivision(outside_of_washers(loops, rings), nullptr, {5, 2.5});

@@ -11,14 +11,14 @@
 namespace beadmesh {
 namespace {
 
-std::string file_of(const ShellMesh& mesh, const DeckOptions& options = {}) {
+std::string gmsh_file(const ShellMesh& mesh, const DeckOptions& options = {}) {
   std::ostringstream out;
   write_gmsh(mesh, out, options);
   return out.str();
 }
 
 TEST(Gmsh, WritesEntitiesBlocksAndIds) {
-  const std::string text = file_of(test::two_elements(), {101, 201, 11, 0});
+  const std::string text = gmsh_file(test::two_elements(), {101, 201, 11, 0});
   EXPECT_NE(text.find("$PhysicalNames\n2\n2 17 \"sheet\"\n2 19 \"flange\"\n$EndPhysicalNames\n"),
             std::string::npos);
   EXPECT_NE(text.find("$Entities\n0 0 2 0\n1 0 0 0 1 1 0 1 17 0\n2 1 0 0 2 1 0.25 1 19 0\n$EndEntities\n"),
@@ -30,7 +30,7 @@ TEST(Gmsh, WritesEntitiesBlocksAndIds) {
 }
 
 TEST(Gmsh, CrestAndBoundaryAreCurvesOfLines) {
-  const std::string text = file_of(test::plate_mesh());
+  const std::string text = gmsh_file(test::plate_mesh());
   EXPECT_NE(text.find("1 20001 \"bead_1_crest\"\n1 30001 \"bead_1_boundary\"\n"), std::string::npos);
   EXPECT_NE(text.find("2 40001 \"bead_1_caps\"\n"), std::string::npos);
   EXPECT_NE(text.find("$Entities\n0 2 3 0\n"), std::string::npos);
@@ -39,7 +39,7 @@ TEST(Gmsh, CrestAndBoundaryAreCurvesOfLines) {
 }
 
 TEST(Gmsh, EveryNodeIsWrittenOnce) {
-  std::istringstream in(file_of(test::plate_mesh()));
+  std::istringstream in(gmsh_file(test::plate_mesh()));
   std::string line;
   while (std::getline(in, line) && line != "$Nodes") {
   }

@@ -15,7 +15,7 @@ namespace {
 
 using test::plate_mesh;
 
-std::string deck_of(const ShellMesh& mesh, const DeckOptions& options = {}) {
+std::string nastran_deck(const ShellMesh& mesh, const DeckOptions& options = {}) {
   std::ostringstream out;
   write_nastran(mesh, out, options);
   return out.str();
@@ -69,7 +69,7 @@ std::set<int> members_of_set(const std::string& text, int id) {
 }
 
 TEST(Nastran, HasTheSectionsOfADeckInOrder) {
-  const std::string text = deck_of(plate_mesh());
+  const std::string text = nastran_deck(plate_mesh());
   size_t last = 0;
   for (const char* word : {"SOL 103\n", "CEND\n", "TITLE = ", "METHOD = 1\n", "SET 10001 = ", "BEGIN BULK\n",
                            "EIGRL ", "MAT1 ", "PSHELL ", "GRID*", "CQUAD4", "ENDDATA\n"}) {
@@ -81,7 +81,7 @@ TEST(Nastran, HasTheSectionsOfADeckInOrder) {
 
 TEST(Nastran, WritesEveryNodeElementAndProperty) {
   const ShellMesh mesh = plate_mesh();
-  const std::string text = deck_of(mesh);
+  const std::string text = nastran_deck(mesh);
   EXPECT_EQ(nodes_of(text).size(), mesh.nodes.size());
   const auto quads = lines_with(text, "CQUAD4");
   ASSERT_EQ(quads.size(), mesh.elements.size());
@@ -96,14 +96,14 @@ TEST(Nastran, WritesTrianglesAsSuch) {
   mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.parts = {{7, "sheet", 1}};
   mesh.elements = {{{0, 1, 2, no_index}, 0, 1, 0}};
-  EXPECT_EQ(lines_with(deck_of(mesh), "CTRIA3")[0], "CTRIA3         1       7       1       2       3");
+  EXPECT_EQ(lines_with(nastran_deck(mesh), "CTRIA3")[0], "CTRIA3         1       7       1       2       3");
 }
 
 TEST(Nastran, KeepsEightyColumnsAndSetsSeventyTwo) {
   ShellMesh mesh = plate_mesh();
   mesh.title = std::string(300, 'x') + "\nGRID,1";
   bool in_bulk = false;
-  for (const std::string& line : lines_of(deck_of(mesh))) {
+  for (const std::string& line : lines_of(nastran_deck(mesh))) {
     if (line[0] == '$') continue;
     in_bulk |= line == "BEGIN BULK";
     EXPECT_LE(line.size(), in_bulk ? 80 : 72) << line;
@@ -112,7 +112,7 @@ TEST(Nastran, KeepsEightyColumnsAndSetsSeventyTwo) {
 
 TEST(Nastran, SetsHoldTheElementsAndCrestNodesOfTheBead) {
   const ShellMesh mesh = plate_mesh();
-  const std::string text = deck_of(mesh);
+  const std::string text = nastran_deck(mesh);
   const auto ids = [](const std::vector<Index>& indices) {
     std::set<int> result;
     for (const Index index : indices) result.insert(index + 1);
@@ -124,25 +124,25 @@ TEST(Nastran, SetsHoldTheElementsAndCrestNodesOfTheBead) {
 
 TEST(Nastran, SetsHoldTheBoundaryAndTheCaps) {
   const ShellMesh mesh = plate_mesh();
-  const std::string text = deck_of(mesh);
+  const std::string text = nastran_deck(mesh);
   EXPECT_EQ(members_of_set(text, 30001).size(), 2 * (12 + 4));
   EXPECT_EQ(members_of_set(text, 40001), (std::set<int>{65, 76, 85, 96, 105, 116, 125, 136}));
 }
 
 TEST(Nastran, IdsCountFromTheFirst) {
-  const std::string text = deck_of(test::two_elements(), {101, 201, 11, 5000});
+  const std::string text = nastran_deck(test::two_elements(), {101, 201, 11, 5000});
   EXPECT_EQ(lines_with(text, "CQUAD4")[0], "CQUAD4       201      17     101     102     103     104");
   EXPECT_EQ(lines_with(text, "CTRIA3")[0], "CTRIA3       202      19     102     105     103");
   EXPECT_EQ(lines_with(text, "PSHELL")[0], "PSHELL        17      11    1.25      11              11");
   EXPECT_EQ(lines_with(text, "MAT1")[0].substr(0, 16), "MAT1          11");
   EXPECT_EQ(lines_with(text, "GRID*")[0].substr(0, 24), "GRID*                101");
-  EXPECT_EQ(members_of_set(deck_of(plate_mesh(), {1, 201, 1, 5000}), 45001).count(265), 1);
+  EXPECT_EQ(members_of_set(nastran_deck(plate_mesh(), {1, 201, 1, 5000}), 45001).count(265), 1);
 }
 
 TEST(Nastran, SetIdsStayApartForManyBeads) {
   ShellMesh mesh = plate_mesh();
   mesh.beads = {{1, "I", "I", {0}, {0}}, {10'000, "I", "I", {1}, {1}}};
-  const std::string text = deck_of(mesh);
+  const std::string text = nastran_deck(mesh);
   EXPECT_EQ(members_of_set(text, 100001), std::set<int>{1});
   EXPECT_EQ(members_of_set(text, 110000), std::set<int>{2});
   EXPECT_EQ(members_of_set(text, 210000), std::set<int>{2});
@@ -154,7 +154,7 @@ RC_GTEST_PROP(Nastran, SetsSayWhatTheyWereGiven, ()) {
   mesh.beads = {{1, "I", "I", {chosen.begin(), chosen.end()}, {}}};
   std::set<int> ids;
   for (const int index : chosen) ids.insert(index + 1);
-  RC_ASSERT(members_of_set(deck_of(mesh), 10001) == ids);
+  RC_ASSERT(members_of_set(nastran_deck(mesh), 10001) == ids);
 }
 
 RC_GTEST_PROP(Nastran, ATenthOfAMicrometreSurvivesFarFromTheOrigin, ()) {
@@ -162,7 +162,7 @@ RC_GTEST_PROP(Nastran, ATenthOfAMicrometreSurvivesFarFromTheOrigin, ()) {
   ShellMesh mesh;
   mesh.parts = {{1, "sheet", 1}};
   mesh.nodes = {{coordinate(), coordinate(), coordinate()}};
-  const Vec3 read = nodes_of(deck_of(mesh)).at(0);
+  const Vec3 read = nodes_of(nastran_deck(mesh)).at(0);
   RC_ASSERT(distance(read, mesh.nodes[0]) < 1e-7);
 }
 
@@ -170,18 +170,18 @@ TEST(Nastran, LongCoordinatesFitTheirField) {
   ShellMesh mesh;
   mesh.parts = {{1, "sheet", 1}};
   mesh.nodes = {{-99'999.999999999, -9'999'999.9999999, -1.23456789e200}, {-0.0, -1e-12, 1e-300}};
-  const auto read = nodes_of(deck_of(mesh));
+  const auto read = nodes_of(nastran_deck(mesh));
   EXPECT_DOUBLE_EQ(read.at(0).x, -100'000);
   EXPECT_DOUBLE_EQ(read.at(0).y, -10'000'000);
   EXPECT_NEAR(read.at(0).z / -1.23456789e200, 1, 1e-8);
-  EXPECT_EQ(deck_of(mesh).find("-0.0"), std::string::npos);
+  EXPECT_EQ(nastran_deck(mesh).find("-0.0"), std::string::npos);
 }
 
 TEST(Nastran, ThicknessFitsItsFieldAndHasAPoint) {
   const auto field = [](double thickness) {
     ShellMesh mesh;
     mesh.parts = {{1, "sheet", thickness}};
-    return lines_with(deck_of(mesh), "PSHELL").at(0).substr(24, 8);
+    return lines_with(nastran_deck(mesh), "PSHELL").at(0).substr(24, 8);
   };
   EXPECT_EQ(field(1), "      1.");
   EXPECT_EQ(field(0.75), "    0.75");

@@ -13,7 +13,7 @@
 namespace beadmesh {
 namespace {
 
-std::string file_of(const ShellMesh& mesh) {
+std::string stl_file(const ShellMesh& mesh) {
   std::ostringstream out;
   write_stl(mesh, out);
   return out.str();
@@ -26,7 +26,7 @@ std::vector<float> floats_of(const std::string& file, size_t facet) {
 }
 
 TEST(Stl, SplitsQuadsFromTheirFirstCorner) {
-  const std::string file = file_of(test::two_elements());
+  const std::string file = stl_file(test::two_elements());
   ASSERT_EQ(file.size(), 84 + 3 * 50);
   std::uint32_t count = 0;
   std::memcpy(&count, file.data() + 80, 4);
@@ -41,7 +41,7 @@ TEST(Stl, SplitsQuadsFromTheirFirstCorner) {
 TEST(Stl, TheHeadIsEightyBytesAndDoesNotSaySolid) {
   ShellMesh mesh = test::two_elements();
   mesh.title = std::string(300, 'x');
-  const std::string file = file_of(mesh);
+  const std::string file = stl_file(mesh);
   EXPECT_EQ(file.size(), 84 + 3 * 50);
   EXPECT_EQ(file.rfind("beadmesh ", 0), 0);
 }

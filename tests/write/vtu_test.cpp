@@ -13,7 +13,7 @@
 namespace beadmesh {
 namespace {
 
-std::string file_of(const ShellMesh& mesh, const DeckOptions& options = {}) {
+std::string vtu_file(const ShellMesh& mesh, const DeckOptions& options = {}) {
   std::ostringstream out;
   write_vtu(mesh, out, options);
   return out.str();
@@ -47,7 +47,7 @@ std::vector<Value> array_of(const std::string& text, const std::string& name) {
 }
 
 TEST(Vtu, HoldsPointsAndCells) {
-  const std::string text = file_of(test::two_elements());
+  const std::string text = vtu_file(test::two_elements());
   EXPECT_NE(text.find("NumberOfPoints=\"5\" NumberOfCells=\"2\""), std::string::npos);
   EXPECT_EQ(array_of<double>(text, "Points"),
             (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0.5, 0.25}));
@@ -57,7 +57,7 @@ TEST(Vtu, HoldsPointsAndCells) {
 }
 
 TEST(Vtu, CellsCarryPartsAndQuality) {
-  const std::string text = file_of(test::two_elements(), {101, 201, 11, 0});
+  const std::string text = vtu_file(test::two_elements(), {101, 201, 11, 0});
   EXPECT_EQ(array_of<std::int32_t>(text, "part"), (std::vector<std::int32_t>{17, 19}));
   EXPECT_EQ(array_of<double>(text, "thickness"), (std::vector<double>{1.25, 0.8}));
   EXPECT_EQ(array_of<std::int32_t>(text, "face"), (std::vector<std::int32_t>{1, 2}));
@@ -68,7 +68,7 @@ TEST(Vtu, CellsCarryPartsAndQuality) {
 
 TEST(Vtu, MarksBeadsCrestAndCaps) {
   const ShellMesh mesh = test::plate_mesh();
-  const std::string text = file_of(mesh);
+  const std::string text = vtu_file(mesh);
   const auto crest = array_of<std::int32_t>(text, "crest"),
              boundary = array_of<std::int32_t>(text, "boundary");
   const auto kind = array_of<std::int32_t>(text, "kind"), bead = array_of<std::int32_t>(text, "bead");
@@ -87,7 +87,7 @@ TEST(Vtu, MarksBeadsCrestAndCaps) {
 TEST(Vtu, ATitleDoesNotEndItsComment) {
   ShellMesh mesh = test::two_elements();
   mesh.title = "a --> b ----- c";
-  const std::string text = file_of(mesh);
+  const std::string text = vtu_file(mesh);
   EXPECT_EQ(text.find("--", text.find("<!--") + 4), text.find("-->"));
   EXPECT_EQ(text.substr(text.find("-->"), 12), "-->\n<VTKFile");
 }

@@ -8,12 +8,6 @@
 namespace beadmesh {
 namespace {
 
-/// Cross product of the diagonals, or of two sides of a triangle: the mean normal times twice the area.
-Vec3 area_normal(const std::vector<Vec3>& nodes, const MeshElement& element) {
-  const Vec3 a = nodes[element[0]], b = nodes[element[1]], c = nodes[element[2]];
-  return is_quad(element) ? cross(c - a, nodes[element[3]] - b) : cross(b - a, c - a);
-}
-
 double fold(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   return angle_between(cross(b - a, c - a), cross(c - a, d - a));
 }
@@ -71,6 +65,11 @@ int count_irregular(size_t node_count, const std::vector<MeshElement>& elements,
 }
 
 }  // namespace
+
+Vec3 area_normal(const std::vector<Vec3>& nodes, const MeshElement& element) {
+  const Vec3 a = nodes[element[0]], b = nodes[element[1]], c = nodes[element[2]];
+  return is_quad(element) ? cross(c - a, nodes[element[3]] - b) : cross(b - a, c - a);
+}
 
 double scaled_jacobian(const std::vector<Vec3>& nodes, const MeshElement& element) {
   const Vec3 normal = normalized(area_normal(nodes, element));

@@ -9,6 +9,8 @@
 
 namespace beadmesh {
 
+/// Mean normal of an element; its length is twice the area of a plane one.
+Vec3 area_normal(const std::vector<Vec3>& nodes, const MeshElement& element);
 /// Smallest corner cross product of unit edges against the element's mean normal (Verdict; triangles times
 /// 2/sqrt(3)). 1 is a square, 0 and below is inverted.
 double scaled_jacobian(const std::vector<Vec3>& nodes, const MeshElement& element);

@@ -63,11 +63,6 @@ QualityCriteria criteria_of(const PresetLimits& limits) {
   return criteria;
 }
 
-Vec3 normal_of(const std::vector<Vec3>& nodes, const MeshElement& e) {
-  const Vec3 a = nodes[e[0]], b = nodes[e[1]], c = nodes[e[2]];
-  return is_quad(e) ? cross(c - a, nodes[e[3]] - b) : cross(b - a, c - a);
-}
-
 /// Elements around each node, one list behind the other.
 struct Stars {
   std::vector<Index> first, elements;
@@ -165,7 +160,7 @@ std::vector<double> chordal_deviations(const std::vector<Vec3>& nodes,
   static const double smooth_turn = std::cos(radians(40));
   const Stars stars(nodes.size(), elements);
   std::vector<Vec3> unit;
-  for (const MeshElement& e : elements) unit.push_back(normalized(normal_of(nodes, e)));
+  for (const MeshElement& e : elements) unit.push_back(normalized(area_normal(nodes, e)));
   const auto normal_at = [&](Index node, Index element) {
     Vec3 sum;
     for (Index k = stars.first[node]; k < stars.first[node + 1]; ++k)

@@ -23,11 +23,6 @@ struct SideUse {
   friend auto operator<=>(const SideUse&, const SideUse&) = default;
 };
 
-Vec3 normal_of(const std::vector<Vec3>& nodes, const MeshElement& e) {
-  const Vec3 a = nodes[e[0]], b = nodes[e[1]], c = nodes[e[2]];
-  return is_quad(e) ? cross(c - a, nodes[e[3]] - b) : cross(b - a, c - a);
-}
-
 /// A zone laid flat. Its nodes are those of the facets.
 struct FlatZone {
   Facets facets;
@@ -79,7 +74,8 @@ class MovingRepair {
 
   bool is_smooth(Index a, Index b) const {
     if (!options_.groups.empty() && options_.groups[a] != options_.groups[b]) return false;
-    return angle_between(normal_of(nodes_, elements_[a]), normal_of(nodes_, elements_[b])) < options_.sharp;
+    return angle_between(area_normal(nodes_, elements_[a]), area_normal(nodes_, elements_[b])) <
+           options_.sharp;
   }
 
   bool is_all_fixed(const MeshElement& e) const {

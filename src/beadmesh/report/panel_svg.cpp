@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/report/drawing.h"
 #include "beadmesh/report/picture_view.h"
 
@@ -32,17 +33,12 @@ constexpr PaintStyle styles[paint_count] = {
     {{46, 178, 140}, "annular bead"}, {{222, 110, 60}, "bead, fallback"}, {{204, 121, 167}, "triangle"},
 };
 
-Vec3 element_normal(const std::vector<Vec3>& nodes, const MeshElement& e) {
-  const Vec3 a = nodes[e[0]], b = nodes[e[1]], c = nodes[e[2]], d = is_quad(e) ? nodes[e[3]] : a;
-  return cross(c - a, d - b) * 0.5;
-}
-
 PictureView view_of(const ShellMesh& mesh, Vec3 wanted) {
   if (norm(wanted) > 0) return view_along(wanted);
   Vec3 sum;
   double area = 0;
   for (const ShellElement& element : mesh.elements) {
-    const Vec3 n = element_normal(mesh.nodes, element.nodes);
+    const Vec3 n = area_normal(mesh.nodes, element.nodes);
     sum += n;
     area += norm(n);
   }
@@ -143,7 +139,7 @@ class Picture {
       corners.clear();
       for (const Index node : element.nodes)
         if (node != no_index) corners.push_back(frame_(flat_[node]));
-      paths[paint][shade_of(view_, element_normal(panel_.mesh.nodes, element.nodes))].polyline(corners, true);
+      paths[paint][shade_of(view_, area_normal(panel_.mesh.nodes, element.nodes))].polyline(corners, true);
       ++count_[paint];
     }
     put("<g id=\"mesh\" transform=\"scale(.01)\" stroke=\"#6e7781\" stroke-width=\"{:.0f}\" "
