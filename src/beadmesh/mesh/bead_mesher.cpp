@@ -13,7 +13,7 @@
 #include "beadmesh/geometry/polyline.h"
 #include "beadmesh/mesh/bead_section.h"
 #include "beadmesh/mesh/block_mesher.h"
-#include "beadmesh/mesh/element_quality.h"
+#include "beadmesh/mesh/quality_criteria.h"
 #include "beadmesh/mesh/ridge_insertion.h"
 #include "beadmesh/mesh/smoothing.h"
 #include "beadmesh/mesh/topological_cleanup.h"
@@ -35,10 +35,8 @@ constexpr double surplus_share = 0.2;
 /// What is missing to the floor counts so much more.
 constexpr double shortfall_weight = 2;
 
-/// Criteria of crash and other models let no element be warped more.
-constexpr double largest_warpage = radians(15);
-/// What a bead would lose in score if all of its elements were warped.
-constexpr double warpage_cost = 2;
+/// What a bead would lose in score if all of its elements failed the usual criteria.
+constexpr double failure_cost = 2;
 
 /// More than the worst scaled Jacobian gains (up to 0.06 has been seen) while the elements come nearer to the
 /// surface: a variant further behind the best is given up before.
@@ -89,7 +87,7 @@ Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map,
 struct Judged {
   BeadMesh mesh;
   double score = 0;   ///< worst scaled Jacobian, less what the distance from the surface takes away
-  double rank = 0;    ///< the score, less what warped elements take away: the best of all attempts is kept
+  double rank = 0;    ///< the score, less what failing elements take away: the best of all attempts is kept
   bool good = false;  ///< no better one need be looked for
 };
 
@@ -143,12 +141,12 @@ std::vector<Vec3> on_surface(const PlanarMesh& mesh, const FaceStudy& study) {
   return nodes;
 }
 
-double share_of_warped(const PlanarMesh& mesh, const FaceStudy& study) {
+double share_of_failing(const PlanarMesh& mesh, const FaceStudy& study, const BeadMesherOptions& options) {
   const std::vector<Vec3> nodes = on_surface(mesh, study);
-  const auto warped = std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const MeshElement& e) {
-    return warpage(nodes, e) > largest_warpage;
-  });
-  return mesh.elements.empty() ? 0 : double(warped) / double(mesh.elements.size());
+  const QualityCriteria criteria = criteria_of_sizes(options.size, options.min_edge);
+  const auto failing = std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                                     [&](const MeshElement& e) { return fails_any(nodes, e, criteria); });
+  return mesh.elements.empty() ? 0 : double(failing) / double(mesh.elements.size());
 }
 
 double shortest_edge(const PlanarMesh& mesh, const FaceStudy& study) {
@@ -194,9 +192,10 @@ Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const Bea
   if (report.given_up || report.scaled_jacobian_min < acceptable_jacobian)
     return fail("mesh.bead.jacobian",
                 "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
-  const double score = score_of(report, options.size, floor), warped = share_of_warped(mesh->mesh, study);
-  return Judged{std::move(*mesh), score, score - warpage_cost * warped,
-                warped == 0 && score > floor - good_enough};
+  const double score = score_of(report, options.size, floor),
+               failing = share_of_failing(mesh->mesh, study, options);
+  return Judged{std::move(*mesh), score, score - failure_cost * failing,
+                failing == 0 && score > floor - good_enough};
 }
 
 std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {

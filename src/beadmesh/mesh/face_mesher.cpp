@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "beadmesh/mesh/boundary_row.h"
+#include "beadmesh/mesh/joint_motion.h"
 #include "beadmesh/mesh/node_motion.h"
 #include "beadmesh/mesh/shape_repair.h"
 #include "beadmesh/mesh/smoothing.h"
@@ -57,6 +58,11 @@ PlanarMesh with_row(const NodeLoops& loops, const NodeLoops& inner, const Planar
   return out;
 }
 
+/// As in smoothing: nodes end on the exact surface, lengths are measured on the facets.
+constexpr double min_edge_margin = 1.005;
+/// Scaled Jacobian that is given up for elements that would fail other criteria.
+constexpr double least_shape_of_joint_moves = 0.65;
+
 Result<PlanarMesh> raw_mesh(const NodeLoops& loops, const SurfaceMap& map, const FaceMesherOptions& options) {
   const SubdivisionOptions subdivision{options.size, options.min_edge};
   if (const auto row = boundary_row(loops, {options.size, options.min_edge})) {
@@ -76,6 +82,7 @@ Result<PlanarMesh> mesh_between(const NodeLoops& loops, const SurfaceMap& map,
   clean_up(*mesh, &map, {}, {options.size, options.min_edge});
   smooth(*mesh, &map, smoothing);
   repair_shapes(*mesh, &map, {options.size, options.min_edge});
+  move_jointly(*mesh, &map, {options.size, options.min_edge * min_edge_margin, least_shape_of_joint_moves});
   return mesh;
 }
 

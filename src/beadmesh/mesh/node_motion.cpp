@@ -29,6 +29,10 @@ constexpr double crest_share = 0.02;
 constexpr double crest_wall = 40;
 /// Least over largest determinant at the Gauss points that is aimed at: programs let elements fail under 0.6.
 constexpr double evenness_aim = 0.68;
+/// The same for what is not to be made worse while warpage is taken away, and how far under it costs 1.
+constexpr double fair_evenness = 0.64, evenness_scale = 0.04;
+/// Sides up to so many sizes are fair; criteria let them have two.
+constexpr double fair_length = 1.9, length_scale = 0.1;
 
 /// Scaled Jacobian per corner and length of the side that starts there.
 struct Corners {
@@ -85,6 +89,14 @@ double warpage_cost(const SurfaceNodes& nodes, const MeshElement& element) {
   for (int i = 0; i < 4; ++i) normal[i] = normalized(cross(side[(i + 3) % 4], side[i]));
   const double angles = 2 * (2 - dot(normal[0], normal[2]) - dot(normal[1], normal[3]));
   return warpage_weight * square(std::max(0.0, angles / square(fair_warpage) - 1));
+}
+
+/// Grows where a quad falls short of what criteria ask besides warpage: evenness and long sides.
+double failing_cost(const Corners& corners, double size) {
+  const double uneven = std::max(0.0, fair_evenness - corners.evenness) / evenness_scale;
+  const double longest = *std::max_element(corners.side, corners.side + corners.count);
+  const double too_long = std::max(0.0, longest / size - fair_length) / length_scale;
+  return square(uneven) + square(too_long);
 }
 
 }  // namespace
@@ -144,6 +156,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
     if (aim == MotionAim::flat && is_quad(element)) state.cost += warpage_cost(nodes_, element);
     if (aim == MotionAim::even && corners.evenness < evenness_aim)
       state.cost += 40 * square(evenness_aim - corners.evenness);
+    if (aim == MotionAim::flat) state.cost += failing_cost(corners, limits_.size);
     for (int i = 0; i < corners.count; ++i) {
       const double t = square(1 - corners.jacobian[i]);
       state.cost += aim == MotionAim::worst || aim == MotionAim::even ? t + 30 * t * t * t : t + 4 * t * t;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "beadmesh/mesh/joint_motion.h"
 #include "beadmesh/mesh/node_motion.h"
 
 namespace beadmesh {
@@ -18,6 +19,11 @@ constexpr double regular_jacobian = 0.885;
 /// Elements whose least determinant at the Gauss points is under this share of the largest are worked on, up
 /// to the second.
 constexpr double least_evenness = 0.63, good_evenness = 0.68;
+
+/// Distances from the surface, as shares of the size, that are given up for elements that would fail.
+constexpr double surface_share = 0.08, crest_share = 0.02;
+/// Scaled Jacobian under the floor that is given up for them where nothing else helps, and where that ends.
+constexpr double shape_given_up = 0.055, least_shape = 0.65;
 
 /// Shape and edge length of the whole mesh, one stage of node movements after the other.
 class Smoother {
@@ -147,6 +153,11 @@ class Smoother {
     approach(MotionAim::surface);
     approach(MotionAim::flat);
     lengthen_short_edges();
+    for (const double shape :
+         {options_.flat_floor - 0.008, std::max(least_shape, options_.flat_floor - shape_given_up)})
+      move_jointly(nodes_, connectivity_, mesh_.freedom, lines_,
+                   {options_.size, options_.min_edge * 1.001, shape, surface_share * options_.size,
+                    crest_share * options_.size});
   }
 
   void lengthen_short_edges() {
