@@ -36,7 +36,7 @@ constexpr double surplus_share = 0.2;
 constexpr double shortfall_weight = 2;
 
 /// What a bead would lose in score if all of its elements failed the usual criteria.
-constexpr double failure_cost = 2;
+constexpr double failure_cost = 4;
 
 /// More than the worst scaled Jacobian gains (up to 0.06 has been seen) while the elements come nearer to the
 /// surface: a variant further behind the best is given up before.
