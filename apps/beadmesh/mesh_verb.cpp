@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <ostream>
 
-#include "beadmesh/core/version.h"
 #include "beadmesh/mesh/quality_criteria.h"
 #include "beadmesh/report/panel_html.h"
 #include "beadmesh/report/panel_svg.h"
 #include "beadmesh/write/bead_csv.h"
 #include "beadmesh/write/bead_json.h"
 #include "beadmesh/write/deck.h"
+#include "checked_design.h"
 #include "crash_guard.h"
 #include "criteria_file.h"
 #include "grouping.h"
@@ -43,15 +43,13 @@ Result<void> check_element_count(const Panel& panel, const MeshSizes& sizes) {
               fmt::format("use at least {:.2g} mm", std::sqrt(area / most)), panel.input);
 }
 
-ReportFacts facts_of(const Panel& panel, const Settings& settings) {
-  return {panel.input,
-          {{"size", fmt::format("{:g} mm", settings.sizes.size)},
-           {"minimum edge", fmt::format("{:g} mm", settings.sizes.min_edge)},
-           {"thickness", fmt::format("{:g} mm", settings.sizes.thickness)},
-           {"faces", std::to_string(input_face_count(panel))},
-           {"beadmesh", std::string(version())}},
-          settings.sizes.min_edge,
-          criteria_of_sizes(settings.sizes.size, settings.sizes.min_edge)};
+std::string report_of(const Panel& panel, const PanelMesh& mesh, const Options& options,
+                      const DesignCheck& design) {
+  const MeshSizes& sizes = options.settings.sizes;
+  ReportFacts facts = facts_of_run(panel, sizes.size, sizes.min_edge, sizes.thickness);
+  facts.criteria = mesh.judged.criteria;  // those of --criteria, where it was given
+  facts.designs = design.beads, facts.design_limits = design.limits;
+  return panel_html(panel, mesh, facts);
 }
 
 bool is_picture(const std::string& name) {
@@ -59,28 +57,31 @@ bool is_picture(const std::string& name) {
   return ending.size() == 4 && std::tolower(static_cast<unsigned char>(ending[1])) == 's';
 }
 
-Outputs outputs_of(const Options& options, const Panel& panel, const PanelMesh& mesh) {
+Outputs outputs_of(const Options& options, const Panel& panel, const PanelMesh& mesh,
+                   const DesignCheck& design) {
   const OutputNames& names = options.outputs;
   Outputs outputs;
   DeckOptions deck = options.settings.deck;
   deck.remarks = settings_lines(options.settings);
   outputs.add(names.deck, [&, deck](std::ostream& out) { write_deck(mesh.mesh, names.deck, out, deck); });
-  outputs.add(names.json, [&](std::ostream& out) { out << bead_json(panel, mesh); });
-  outputs.add(names.csv, [&](std::ostream& out) { out << bead_csv(panel, mesh.table); });
+  outputs.add(names.json, [&](std::ostream& out) { out << bead_json(panel, mesh, design.beads); });
+  outputs.add(names.csv, [&](std::ostream& out) {
+    out << (options.design_check ? bead_csv(panel, mesh.table, design.beads) : bead_csv(panel, mesh.table));
+  });
   outputs.add(names.report, [&](std::ostream& out) {
-    out << (is_picture(names.report) ? panel_svg(mesh)
-                                     : panel_html(panel, mesh, facts_of(panel, options.settings)));
+    out << (is_picture(names.report) ? panel_svg(mesh) : report_of(panel, mesh, options, design));
   });
   return outputs;
 }
 
-void print_summary(const Panel& panel, const PanelMesh& mesh, const Outputs& outputs,
-                   Clock::time_point start) {
+void print_summary(const Panel& panel, const PanelMesh& mesh, const DesignCheck& design,
+                   const Outputs& outputs, Clock::time_point start) {
   std::string files;
   for (const std::string& name : outputs.names()) files += (files.empty() ? "" : ", ") + name;
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  fmt::print("{}{}{}wrote {} in {:.1f} s\n", bead_summary(panel, mesh.table, mesh.meshing),
-             quality_summary(mesh.quality), failing_summary(mesh.judged), files, seconds);
+  fmt::print("{}{}{}{}wrote {} in {:.1f} s\n", bead_summary(panel, mesh.table, mesh.meshing),
+             quality_summary(mesh.quality), failing_summary(mesh.judged), design_summary(design.beads), files,
+             seconds);
 }
 
 }  // namespace
@@ -103,6 +104,7 @@ Result<int> run_mesh(const Options& options) {
   if (auto good = check_element_count(*panel, sizes); !good) return tl::make_unexpected(good.error());
   auto mesh = mesh_panel(*panel, sizes, options.settings.beads, context);
   if (!mesh) return tl::make_unexpected(mesh.error());
+  const DesignCheck design = checked_design(options, *panel, mesh->table, context);
   context.report("write", 0);
 
   mesh->mesh.title =
@@ -114,15 +116,15 @@ Result<int> run_mesh(const Options& options) {
   mesh->table.diagnostics.insert(mesh->table.diagnostics.end(), short_of.begin(), short_of.end());
   if (auto good = check_deck_mesh(mesh->mesh, options.settings.deck); !good)
     return tl::make_unexpected(good.error());
-  Outputs outputs = outputs_of(options, *panel, *mesh);
+  Outputs outputs = outputs_of(options, *panel, *mesh, design);
   grouping.add_to(outputs, *panel, mesh->table);
   if (auto put = outputs.put(); !put) return tl::make_unexpected(put.error());
 
   bar.clear();
   if (options.timings) fmt::print(stderr, "{}", timing_table(bar.stages()));
-  if (!outputs.uses_stdout()) print_summary(*panel, *mesh, outputs, start);
+  if (!outputs.uses_stdout()) print_summary(*panel, *mesh, design, outputs, start);
   const bool any_error = print_diagnostics(mesh->table.diagnostics);
-  return any_error || !short_of.empty() ? fell_short : done;
+  return any_error || !short_of.empty() || design.past_limits > 0 ? fell_short : done;
 }
 
 }  // namespace beadmesh::app

@@ -93,6 +93,12 @@ void add_debug(CLI::App& verb, RawOptions& raw) {
                   "picture of how CAD faces were grouped, and why: .svg");
 }
 
+void add_design_check(CLI::App& verb, RawOptions& raw) {
+  verb.add_flag("--design-check", raw.design_check,
+                "measure depth to width, wall angle, radii and distances; judge them by [design] of the\n"
+                "settings");
+}
+
 void add_mesh(CLI::App& app, RawOptions& raw) {
   CLI::App& verb =
       *app.add_subcommand("mesh", "mesh a panel: recognised beads on purpose, the rest around them");
@@ -109,6 +115,7 @@ void add_mesh(CLI::App& app, RawOptions& raw) {
   add_deck(verb, raw);
   verb.add_option("--report", raw.outputs.report, "report in 3-D: .html, or only a flat picture: .svg");
   add_debug(verb, raw);
+  add_design_check(verb, raw);
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
 }
 
@@ -117,9 +124,7 @@ void add_beads(CLI::App& app, RawOptions& raw) {
   add_common(verb, raw);
   verb.add_option("--report", raw.outputs.report, "report: .html, the beads on the surface");
   add_debug(verb, raw);
-  verb.add_flag("--design-check", raw.design_check,
-                "measure depth to width, wall angle, radii and distances; judge them by [design] of the\n"
-                "settings");
+  add_design_check(verb, raw);
   verb.add_option("--csv", raw.outputs.csv, "bead table as CSV; - for standard output");
 }
 

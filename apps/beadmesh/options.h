@@ -24,7 +24,7 @@ struct Options {
   Settings settings;
   Index face = 0;             ///< of `medial`: 1-based number, 0: all
   bool timings = false;       ///< of `mesh` and `beads`: time of each stage on standard error
-  bool design_check = false;  ///< of `beads`
+  bool design_check = false;  ///< of `mesh` and `beads`
   bool feet = false;          ///< of `medial`: lines to the touching points in the picture
   bool has_size = false;      ///< of `check`: was given
   bool has_min_edge = false;

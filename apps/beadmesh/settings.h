@@ -18,7 +18,7 @@ struct Settings {
   ReadOptions read;
   DeckOptions deck;
   std::vector<Vec3> kept_edges;  ///< points on edges that rows of nodes follow
-  DesignLimits design;           ///< default: none; of `beads --design-check`
+  DesignLimits design;           ///< default: none; of --design-check
   int jobs = 0;                  ///< default 0: all cores
 };
 

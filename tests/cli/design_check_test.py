@@ -106,6 +106,18 @@ class DesignCheck(Case):
         self.assertIn("depth/width", table)
         self.assertIn(f"{float(rows[0]['wall_angle']):.1f}", table)
 
+    def test_beside_a_mesh_it_says_the_same(self):
+        config = self.file("design.toml", b"[design]\nmax_wall_angle = 1.0\n")
+        expected = self.designs(example("single"), "--config", config, status=1)[1]["design"]
+        table, report = self.folder / "panel.csv", self.folder / "panel.html"
+        result = run("mesh", example("single"), "-o", self.folder / "panel.bdf", "--design-check", "--config", config, "--json", "-",
+                     "--csv", table, "--report", report)
+        self.assertEqual(1, result.returncode, result.stderr)
+        self.assertIn("design.wall_angle", result.stderr)
+        self.assertEqual(expected, json.loads(result.stdout)["beads"][0]["design"])
+        self.assertEqual(["wall_angle"], [row["exceeded"] for row in csv.DictReader(io.StringIO(table.read_text()))])
+        self.assertIn('<section id="design"', report.read_text())
+
     def test_wrong_limits(self):
         for text, names in (("max_wall_angle = -1", "max_wall_angle"), ("min_radius = 3", "design.min_radius"), ("min_root_radius = 'x'", "number")):
             config = self.file("design.toml", f"[design]\n{text}\n".encode())

@@ -61,6 +61,20 @@ TEST(PanelHtml, QualityIsJudgedByTheLimits) {
   EXPECT_NE(html.find("200 of 200 elements fail a criterion (100.00 %)"), std::string::npos);
 }
 
+TEST(PanelHtml, DesignIsATableOfItsOwnWithLimitsInItsHeads) {
+  ReportFacts judged = facts("plate");
+  BeadDesign design{1, {31, 6.0, 0.333, radians(61.5), 6.7, {}}, {24.1, 3, 15.0, {}}, {}};
+  judged.designs = {design};
+  judged.design_limits.max_wall_angle = radians(60);
+  judge_design(judged.designs, judged.design_limits);
+  const std::string html = panel_html(plate_panel(), plate(), judged);
+  const std::string section = html.substr(html.find("<section id=\"design\""));
+  for (const char* part : {"wall angle, ° (≤ 60)", "<td class=\"number fails\">✗ 61.5</td>", "<td class=\"number\">0.333</td>",
+                           "<td class=\"number\">–</td>", "<tr data-bead=\"1\">"})
+    EXPECT_NE(section.find(part), std::string::npos) << part;
+  EXPECT_EQ(panel_html(plate_panel(), plate(), facts("plate")).find("<section id=\"design\""), std::string::npos);
+}
+
 TEST(PanelHtml, AsksForNothingFromOutside) {
   const std::string html = markup(panel_html(plate_panel(), plate(), facts("plate")));
   EXPECT_EQ(html.find("http"), std::string::npos);

@@ -1,8 +1,8 @@
 // The report in headless Chromium: node --test viewer_test.mjs. MAKE_REPORT_PAGE is the program that writes synthetic
 // reports, PAGES the folder for them; BEADMESH and MAKE_EXAMPLE_PANEL make one from a CAD file.
 import assert from "node:assert/strict";
-import {execFileSync} from "node:child_process";
-import {mkdirSync, readFileSync, statSync} from "node:fs";
+import {execFileSync, spawnSync} from "node:child_process";
+import {mkdirSync, readFileSync, statSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {after, before, describe, test} from "node:test";
 import {difference, drawn, launch, matchesReference, open, picture} from "./browser.mjs";
@@ -452,9 +452,19 @@ describe("other pages", () => {
   test("the report of a CAD panel by the program", async () => {
     const step = join(PAGES, "basic.step"), file = page_of("basic");
     execFileSync(MAKE_EXAMPLE_PANEL, ["basic", step]);
-    execFileSync(BEADMESH, ["mesh", step, "-o", join(PAGES, "basic.bdf"), "--report", file], {stdio: "ignore"});
+    const limits = join(PAGES, "design.toml");
+    writeFileSync(limits, "[design]\nmax_wall_angle = 10.0\n");
+    const made = spawnSync(BEADMESH, ["mesh", step, "-o", join(PAGES, "basic.bdf"), "--report", file, "--design-check", "--config", limits]);
+    assert.equal(made.status, 1, "walls are steeper than 10 degrees");
+    assert.ok(statSync(file).size < 1.5e6, `${statSync(file).size} bytes`);
     const basic = await open(browser, file);
     assert.equal(await basic.locator("#beads tbody tr").count(), 4);
+    await basic.click("#tab-design");
+    assert.equal(await basic.locator("#design td.fails").count(), 4);
+    await basic.click("#design tr[data-bead='2']");
+    assert.deepEqual(await basic.evaluate(() => beadmesh.chosen), {bead: 2});
+    await basic.keyboard.press("Escape");
+    await basic.keyboard.press("f");
     for (const layer of ["axes", "splits", "blocks"]) {
       const one = await picture(basic);
       await basic.click(`#layer-${layer}`);

@@ -33,6 +33,24 @@ std::string flat_picture(const PanelMesh& mesh) {
 
 }  // namespace
 
+ReportFacts facts_of_run(const Panel& panel, double size, double min_edge, double thickness) {
+  return {panel.input,
+          {{"size", fmt::format("{:g} mm", size)},
+           {"minimum edge", fmt::format("{:g} mm", min_edge)},
+           {"thickness", fmt::format("{:g} mm", thickness)},
+           {"faces", std::to_string(input_face_count(panel))},
+           {"beadmesh", std::string(version())}},
+          min_edge,
+          criteria_of_sizes(size, min_edge)};
+}
+
+ReportFacts facts_of_recognition(const Panel& panel, const BeadTable& table) {
+  return {panel.input,
+          {{"faces", std::to_string(input_face_count(panel))},
+           {"beads", std::to_string(table.beads.size())},
+           {"beadmesh", std::string(version())}}};
+}
+
 std::string panel_html(const Panel& panel, const PanelMesh& mesh, const ReportFacts& facts) {
   namespace tables = report_tables;
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n";
@@ -43,8 +61,9 @@ std::string panel_html(const Panel& panel, const PanelMesh& mesh, const ReportFa
           "<main>\n<div id=\"stage\"><noscript>The picture needs JavaScript; the tables do "
           "not.</noscript></div>\n"
           "<div id=\"tables\">\n";
-  text += tables::overview(mesh) + tables::beads(panel, mesh) + tables::quality(mesh, facts) +
-          tables::diagnostics(mesh.table) + tables::faces_not_beads(mesh.table);
+  text += tables::overview(mesh) + tables::beads(panel, mesh) + tables::design(facts) +
+          tables::quality(mesh, facts) + tables::diagnostics(mesh.table) +
+          tables::faces_not_beads(mesh.table);
   text += fmt::format("</div>\n</main>\n<footer>beadmesh {}</footer>\n", version());
   text += flat_picture(mesh);
   text += "<script type=\"application/json\" id=\"scene\">" + panel_scene(panel, mesh, facts) +

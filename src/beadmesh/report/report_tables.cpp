@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "beadmesh/report/drawing.h"
@@ -12,7 +14,7 @@ namespace {
 using drawing::escaped;
 
 struct Column {
-  const char* name;
+  std::string_view name;
   bool number = false;
   const char* meaning = "";
 };
@@ -86,6 +88,37 @@ std::string bead_row(const Panel& panel, const PanelMesh& mesh, size_t i) {
     text += number(fmt::format("{:.{}f}", value, digits));
   text += number(std::to_string(b.junctions)) + number(std::to_string(b.ends));
   return text + meshing_cells(mesh, i) + "</tr>\n";
+}
+
+/// A figure of the design; `name` is what it is called where it is past its limit.
+std::string design_cell(const BeadDesign& design, const char* name, const std::optional<double>& value,
+                        int digits) {
+  if (!value) return number("–");
+  const bool past = std::count(design.exceeded.begin(), design.exceeded.end(), name) > 0;
+  return fmt::format("<td class=\"number{}\">{}{:.{}f}</td>", past ? " fails" : "", past ? "✗ " : "", *value,
+                     digits);
+}
+
+std::string design_row(const BeadDesign& design) {
+  const SectionMeasures& s = design.sections;
+  const BeadDistances& d = design.distances;
+  const auto measured = [&](double value) { return s.sections ? std::optional(value) : std::nullopt; };
+  return fmt::format("<tr data-bead=\"{}\"><th scope=\"row\" class=\"number\">{}</th>", design.id,
+                     design.id) +
+         design_cell(design, "depth", measured(s.depth), 2) +
+         design_cell(design, "depth_to_width", measured(s.depth_to_width), 3) +
+         design_cell(design, "wall_angle", measured(degrees(s.wall_angle)), 1) +
+         design_cell(design, "crown_radius", s.crown_radius, 2) +
+         design_cell(design, "root_radius", s.root_radius, 2) +
+         design_cell(design, "bead_distance", d.bead, 2) +
+         number(d.bead ? std::to_string(d.nearest_bead) : "–") +
+         design_cell(design, "rim_distance", d.rim, 2) + design_cell(design, "hole_distance", d.hole, 2) +
+         "</tr>\n";
+}
+
+/// "wall angle, ° (≤ 60)"; the bare name where there is no limit.
+std::string with_limit(const char* name, const char* sign, const std::optional<double>& limit) {
+  return limit ? fmt::format("{} ({} {:g})", name, sign, *limit) : name;
 }
 
 std::string limit_of(double value) {
@@ -195,6 +228,33 @@ std::string beads(const Panel& panel, const PanelMesh& mesh) {
     rows = mesh.meshing.empty() ? table("Beads that were recognised", recognised, rows)
                                 : table("Beads and how they were meshed", meshed, rows);
   return section("beads", "Beads", mesh.table.beads.size(), rows);
+}
+
+std::string design(const ReportFacts& facts) {
+  if (facts.designs.empty()) return "";
+  const DesignLimits& l = facts.design_limits;
+  const auto angle = l.max_wall_angle ? std::optional(degrees(*l.max_wall_angle)) : std::nullopt;
+  const std::string heads[] = {with_limit("depth to width", "≤", l.max_depth_to_width),
+                               with_limit("wall angle, °", "≤", angle),
+                               with_limit("crown radius, mm", "≥", l.min_crown_radius),
+                               with_limit("root radius, mm", "≥", l.min_root_radius),
+                               with_limit("to the next bead, mm", "≥", l.min_bead_distance),
+                               with_limit("to the rim, mm", "≥", l.min_rim_distance),
+                               with_limit("to a hole, mm", "≥", l.min_hole_distance)};
+  const Column columns[] = {{"id", true},
+                            {"depth, mm", true, "greatest height over the line between the roots"},
+                            {heads[0], true, "greatest, each by the width of its own section"},
+                            {heads[1], true, "steepest, to the line between the roots"},
+                            {heads[2], true, "smallest where the section is convex"},
+                            {heads[3], true, "smallest where the section is concave; 0: a sharp root"},
+                            {heads[4], true, "between the boundaries; 0: they share one"},
+                            {"next bead", true},
+                            {heads[5], true, "from the boundary to the outline of the panel"},
+                            {heads[6], true, "from the boundary to the nearest other free edge"}};
+  std::string rows;
+  for (const BeadDesign& one : facts.designs) rows += design_row(one);
+  return section("design", "Design", facts.designs.size(),
+                 table("Design of the beads; ✗: past its limit", columns, rows));
 }
 
 std::string quality(const PanelMesh& mesh, const ReportFacts& facts) {

@@ -11,6 +11,7 @@ namespace beadmesh::report_tables {
 /// Sections of HTML, each with a heading.
 std::string overview(const PanelMesh& mesh);  ///< figures; empty without a mesh
 std::string beads(const Panel& panel, const PanelMesh& mesh);
+std::string design(const ReportFacts& facts);                          ///< empty where nothing was measured
 std::string quality(const PanelMesh& mesh, const ReportFacts& facts);  ///< empty without a mesh or limits
 std::string diagnostics(const BeadTable& table);
 std::string faces_not_beads(const BeadTable& table);

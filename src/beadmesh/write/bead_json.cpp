@@ -170,8 +170,8 @@ std::string bead_json(const Panel& panel, const BeadTable& table, const std::vec
   return text_of(panel, table, nullptr, designs);
 }
 
-std::string bead_json(const Panel& panel, const PanelMesh& mesh) {
-  return text_of(panel, mesh.table, &mesh);
+std::string bead_json(const Panel& panel, const PanelMesh& mesh, const std::vector<BeadDesign>& designs) {
+  return text_of(panel, mesh.table, &mesh, designs);
 }
 
 }  // namespace beadmesh

@@ -15,7 +15,7 @@ namespace beadmesh {
 std::string bead_json(const Panel& panel, const BeadTable& table);
 /// The same with an object `design` for each bead; of each bead of the table, or none.
 std::string bead_json(const Panel& panel, const BeadTable& table, const std::vector<BeadDesign>& designs);
-/// The same with how each bead was meshed and the quality of the mesh.
-std::string bead_json(const Panel& panel, const PanelMesh& mesh);
+/// The same with how each bead was meshed and the quality of the mesh; designs of all beads, or none.
+std::string bead_json(const Panel& panel, const PanelMesh& mesh, const std::vector<BeadDesign>& designs = {});
 
 }  // namespace beadmesh
