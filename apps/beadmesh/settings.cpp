@@ -130,14 +130,10 @@ Result<void> check_beads(const MeshSizes& sizes) {
 }
 
 Result<void> apply_skin(const std::string& name, ReadOptions& read) {
-  constexpr std::pair<std::string_view, Skin> skins[] = {
-      {"outer", Skin::outer}, {"inner", Skin::inner}, {"middle", Skin::middle}, {"whole", Skin::whole}};
-  for (const auto& [known, skin] : skins)
-    if (name == known) {
-      read.skin = skin;
-      return {};
-    }
-  return fail("usage.skin", fmt::format("unknown skin '{}'", name), "outer, inner, middle or whole");
+  const auto skin = skin_of(name);
+  if (!skin) return tl::make_unexpected(skin.error());
+  read.skin = *skin;
+  return {};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._errors import BeadmeshError
 from ._panel import BeadOptions, BeadTable, Panel, PathLike, _table
 
 if TYPE_CHECKING:
@@ -106,6 +107,8 @@ class Mesh:
     """The beads of the panel it was made from."""
     meshing: list[BeadMeshing] = field(default_factory=list)
     """Of each bead of the table."""
+    made: Optional["_core.MadeMesh"] = field(default=None, repr=False)
+    """What write_report needs; None for meshes that beadmesh.mesh has not made."""
 
     def __post_init__(self) -> None:
         self.nodes = np.asarray(self.nodes, np.float64)
@@ -144,6 +147,16 @@ class Mesh:
         raw = {"title": self.title, "nodes": self.nodes, "elements": self.elements, "part": self.part, "face": self.face,
                "bead": self.bead, "parts": [tuple(part) for part in self.parts], "sets": [vars(one) for one in self.sets]}
         _core.write(raw, os.fspath(path), options)
+
+    def write_report(self, path: PathLike) -> None:
+        """Writes the report of the run, whole or not at all: .html in 3-D, or .svg, the flat picture. It shows the mesh as
+        beadmesh.mesh made it, whatever was done to the arrays since.
+
+        Raises BeadmeshError with usage.report (another ending; a mesh from elsewhere) or write.*.
+        """
+        if self.made is None:
+            raise BeadmeshError("usage.report", message="there is no report of a mesh that beadmesh.mesh has not made")
+        self.made.write_report(os.fspath(path))
 
     def to_meshio(self) -> "meshio.Mesh":
         """Quads, then triangles, with cell data part (the part's id), bead, face and thickness. Needs meshio."""
@@ -201,6 +214,8 @@ def mesh(panel: Panel, *, size: float = 5.0, min_edge: Optional[float] = None, t
         mapping with any of size, min_edge, elements_across, elements_along, clamp_rows, method.
     local_sizes: balls with another size: ((x, y, z), radius, size).
     jobs: threads, 0 for all cores; the result does not depend on them.
+
+    Ctrl-C (any signal handler that raises) ends it early, at the next face.
 
     Raises BeadmeshError where nothing could be meshed, or with usage.* and control.*. A bead that defeats its methods is
     meshed as an ordinary face, and a face that defeats every mesher left out: see Mesh.meshing and Mesh.table.diagnostics.

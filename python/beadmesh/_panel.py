@@ -53,6 +53,8 @@ class Bead:
     height: float
     """How far the crest rises over the boundary."""
     aspect_ratio: float
+    confidence: float
+    """From 0 to 1; below 1 where the bead was found in facets without an edge of its own."""
     junctions: int
     ends: int
     medial_edges: int
@@ -130,22 +132,28 @@ class Panel:
 
 
 def read(path: PathLike, *, unit: str = "mm", chord: float = 0.05, angle: float = 12.0, max_facet: float = 0.0,
-         sew_tolerance: float = 0.01, feature_angle: float = 40.0, jobs: int = 0) -> Panel:
-    """Reads a panel: STEP, IGES, BREP or STL, by its ending.
+         sew_tolerance: float = 0.01, feature_angle: float = 40.0, skin: str = "outer", jobs: int = 0) -> Panel:
+    """Reads a panel by the ending of its file: STEP, IGES, BREP, STL, OBJ, PLY, shells of a Nastran, LS-DYNA or Abaqus deck.
 
-    unit: of files that carry none (STL, BREP): mm, cm, m, um, in, ft.
+    unit: of files that carry none (all but STEP and IGES): mm, cm, m, um, in, ft.
     chord, angle, max_facet: distance (mm) and turn (degrees) of the facets, their longest edge (mm; 0: no limit).
     sew_tolerance: free edges closer than this (mm) are one.
-    feature_angle: STL facets that turn by more (degrees) are different faces.
+    feature_angle: facets that turn by more (degrees) are different faces.
+    skin: what a thin solid becomes: its "outer", "inner" or "middle" skin, or "whole".
     jobs: threads, 0 for all cores.
+
+    Ctrl-C is heard while it reads, and raises once the file is read.
 
     Raises BeadmeshError with a code read.*: no such file, truncated, no faces, unknown ending, ...
     """
-    return Panel(_core.read(os.fspath(path), unit, chord, angle, max_facet, sew_tolerance, feature_angle, jobs))
+    return Panel(_core.read(os.fspath(path), unit, chord, angle, max_facet, sew_tolerance, feature_angle, skin, jobs))
 
 
 def beads(panel: Panel, options: Optional[BeadOptions] = None, *, jobs: int = 0) -> BeadTable:
-    """Recognises the beads of a panel. Never fails for a single face: it is listed with its reason."""
+    """Recognises the beads of a panel. Never fails for a single face: it is listed with its reason.
+
+    Ctrl-C ends it early.
+    """
     options = options or BeadOptions()
     composed = panel._with_composites(options, jobs)
     return _table(_core.beads(composed, options._core(), jobs))

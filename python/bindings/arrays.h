@@ -24,13 +24,6 @@ T value_or_raise(Result<T>&& result) {
   return std::move(*result);
 }
 
-/// 0: all cores.
-inline Context with_jobs(int jobs) {
-  Context context;
-  context.jobs = jobs;
-  return context;
-}
-
 py::dict dict_of(const Diagnostic& diagnostic);
 py::list dicts_of(const std::vector<Diagnostic>& diagnostics);
 

@@ -5,6 +5,7 @@
 #include "beadmesh/pipeline.h"
 #include "beadmesh/read/polygon_reader.h"
 #include "bindings.h"
+#include "interruptible.h"
 
 namespace beadmesh::python {
 namespace {
@@ -140,10 +141,8 @@ Result<std::vector<Index>> faces_by_number(const Panel& panel,
 
 py::tuple medial_of_faces(const Panel& panel, const std::optional<std::vector<Index>>& numbers, int jobs) {
   const std::vector<Index> faces = value_or_raise(faces_by_number(panel, numbers));
-  const PanelMedials medials = [&] {
-    const py::gil_scoped_release released;
-    return medials_of_faces(panel, faces, with_jobs(jobs));
-  }();
+  const PanelMedials medials =
+      interruptible(jobs, [&](const Context& context) { return medials_of_faces(panel, faces, context); });
   py::list out;
   for (const FaceMedial& face : medials.faces) out.append(dict_of_medial(face.object, face.region, &face));
   return py::make_tuple(out, dicts_of(medials.diagnostics));

@@ -2,17 +2,30 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <ostream>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/pipeline.h"
+#include "beadmesh/report/panel_html.h"
+#include "beadmesh/report/panel_svg.h"
 #include "beadmesh/write/deck.h"
+#include "beadmesh/write/whole_files.h"
 #include "bindings.h"
+#include "interruptible.h"
 
 namespace beadmesh::python {
 namespace {
+
+/// What a report needs of a run beside the arrays: as it was made, whatever is done to these later.
+struct MadeMesh {
+  Panel panel;
+  PanelMesh mesh;
+  MeshSizes sizes;
+};
 
 // ------------------------------------------------------------------ a mesh from the library to Python
 
@@ -157,16 +170,35 @@ py::dict mesh(const Panel& panel, double size, double min_edge, double thickness
               const std::map<Index, py::dict>& single, const std::vector<Ball>& balls, int jobs) {
   const MeshSizes sizes = value_or_raise(sizes_of(size, min_edge, thickness, all, kinds, single, balls));
   if (auto good = check_sizes(sizes); !good) raise(good.error());
-  Result<PanelMesh> result = [&] {
-    const py::gil_scoped_release released;
-    return mesh_panel(panel, sizes, options, with_jobs(jobs));
-  }();
-  PanelMesh made = value_or_raise(std::move(result));
+  PanelMesh made = value_or_raise(interruptible(
+      jobs, [&](const Context& context) { return mesh_panel(panel, sizes, options, context); }));
   made.mesh.title = panel.input;
   py::dict out = dict_of_mesh(made.mesh);
   out["table"] = dict_of_table(panel, made.table);
   out["meshing"] = dicts_of_meshing(made.meshing);
+  out["made"] = MadeMesh{panel, std::move(made), sizes};
   return out;
+}
+
+bool ends_with(const std::string& text, std::string_view ending) {
+  return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+void write_report(const MadeMesh& made, const std::string& path) {
+  const bool is_flat = ends_with(path, ".svg");
+  if (!is_flat && !ends_with(path, ".html") && !ends_with(path, ".htm"))
+    raise(Diagnostic{"usage.report", Severity::error, no_index, path, "unknown ending of a report",
+                     "known: .html .htm .svg"});
+  const Result<void> done = [&] {
+    const py::gil_scoped_release released;
+    return write_whole(path, [&](std::ostream& out) {
+      const MeshSizes& sizes = made.sizes;
+      out << (is_flat ? panel_svg(made.mesh)
+                      : panel_html(made.panel, made.mesh,
+                                   facts_of_run(made.panel, sizes.size, sizes.min_edge, sizes.thickness)));
+    });
+  }();
+  if (!done) raise(done.error());
 }
 
 // ------------------------------------------------------------------ a mesh from Python to the library
@@ -285,6 +317,7 @@ Result<DeckAnalysis> analysis_of(const std::string& name) {
 }  // namespace
 
 void add_mesh(py::module_& module) {
+  py::class_<MadeMesh>(module, "MadeMesh").def("write_report", &write_report, py::arg("path"));
   py::class_<DeckOptions>(module, "DeckOptions")
       .def(py::init([](Index first_node, Index first_element, Index first_property, Index set_offset,
                        const std::string& analysis) {

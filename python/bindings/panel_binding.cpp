@@ -5,12 +5,13 @@
 #include "beadmesh/pipeline.h"
 #include "beadmesh/read/panel_reader.h"
 #include "bindings.h"
+#include "interruptible.h"
 
 namespace beadmesh::python {
 namespace {
 
 Panel read(const std::string& path, const std::string& unit, double chord, double angle, double max_facet,
-           double sew_tolerance, double feature_angle, int jobs) {
+           double sew_tolerance, double feature_angle, const std::string& skin, int jobs) {
   ReadOptions options;
   options.unit = unit;
   options.chord = chord;
@@ -18,16 +19,13 @@ Panel read(const std::string& path, const std::string& unit, double chord, doubl
   options.max_facet = max_facet;
   options.sew_tolerance = sew_tolerance;
   options.feature_angle = radians(feature_angle);
-  Result<Panel> panel = [&] {
-    const py::gil_scoped_release released;
-    return read_panel(path, options, with_jobs(jobs));
-  }();
-  return value_or_raise(std::move(panel));
+  options.skin = value_or_raise(skin_of(skin));
+  return value_or_raise(
+      interruptible(jobs, [&](const Context& context) { return read_panel(path, options, context); }));
 }
 
 Panel compose(const Panel& panel, const BeadOptions& options, int jobs) {
-  const py::gil_scoped_release released;
-  return compose_faces(panel, options, with_jobs(jobs));
+  return interruptible(jobs, [&](const Context& context) { return compose_faces(panel, options, context); });
 }
 
 py::list facets(const Panel& panel) {
@@ -60,6 +58,7 @@ py::dict dict_of_bead(const Panel& panel, const Bead& bead) {
   out["width"] = bead.width;
   out["height"] = bead.height;
   out["aspect_ratio"] = bead.aspect_ratio;
+  out["confidence"] = bead.confidence;
   out["junctions"] = bead.junctions;
   out["ends"] = bead.ends;
   out["medial_edges"] = bead.medial_edges;
@@ -84,10 +83,8 @@ py::dict dict_of_table(const Panel& panel, const BeadTable& table) {
 namespace {
 
 py::dict beads(const Panel& panel, const BeadOptions& options, int jobs) {
-  const BeadTable table = [&] {
-    const py::gil_scoped_release released;
-    return recognise_beads(panel, options, with_jobs(jobs));
-  }();
+  const BeadTable table =
+      interruptible(jobs, [&](const Context& context) { return recognise_beads(panel, options, context); });
   return dict_of_table(panel, table);
 }
 
@@ -112,7 +109,8 @@ void add_panel(py::module_& module) {
       .def_property_readonly("diagnostics", [](const Panel& panel) { return dicts_of(panel.diagnostics); })
       .def("facets", &facets);
   module.def("read", &read, py::arg("path"), py::arg("unit"), py::arg("chord"), py::arg("angle"),
-             py::arg("max_facet"), py::arg("sew_tolerance"), py::arg("feature_angle"), py::arg("jobs"));
+             py::arg("max_facet"), py::arg("sew_tolerance"), py::arg("feature_angle"), py::arg("skin"),
+             py::arg("jobs"));
   module.def("compose", &compose, py::arg("panel"), py::arg("options"), py::arg("jobs"));
   module.def("beads", &beads, py::arg("panel"), py::arg("options"), py::arg("jobs"));
 }

@@ -1,6 +1,8 @@
 """Meshes: as the program makes them, judged, written, to and from meshio."""
+import signal
 import subprocess
 import threading
+import time
 
 import meshio
 import numpy as np
@@ -152,3 +154,38 @@ def test_what_cannot_be_written(mesh, tmp_path):
     with pytest.raises(beadmesh.BeadmeshError, match="modes, none"):
         mesh.write(tmp_path / "a.bdf", analysis="crash")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_report(mesh, tmp_path):
+    mesh.write_report(tmp_path / "panel.html")
+    text = (tmp_path / "panel.html").read_text()
+    assert "<title>basic.step</title>" in text and 'id="scene"' in text and '<tr data-bead="4">' in text
+    mesh.write_report(str(tmp_path / "panel.svg"))
+    assert "<svg" in (tmp_path / "panel.svg").read_text()
+    foreign = beadmesh.Mesh(np.zeros((4, 3)), np.array([(0, 1, 2, 3)]))
+    for made, path, code in ((mesh, "panel.pdf", "usage.report"), (mesh, "no/panel.html", "write.folder"),
+                             (foreign, "other.html", "usage.report")):
+        with pytest.raises(beadmesh.BeadmeshError) as caught:
+            made.write_report(tmp_path / path)
+        assert caught.value.code == code
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["panel.html", "panel.svg"]
+
+
+def test_an_interrupt_ends_the_work_early(panel, mesh):
+    """A mesh of many small elements takes minutes; the signal comes after a moment, and everything works on afterwards."""
+    asked = []
+
+    def interrupt(number, frame):
+        asked.append(time.monotonic())
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        with pytest.raises(KeyboardInterrupt):
+            beadmesh.mesh(panel, size=1.2)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(asked) == 1
+    assert len(beadmesh.mesh(panel, size=12).elements) < len(mesh.elements)

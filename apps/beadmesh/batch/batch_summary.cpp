@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace beadmesh::app {
@@ -21,19 +22,16 @@ std::string csv_field(const std::string& text) {
   return out + '"';
 }
 
-Value beads_of(const PanelFigures& f) {
-  return {{"I", f.I}, {"generic", f.generic}, {"annular", f.annular}, {"fallbacks", f.fallbacks}};
+Value beads_of(const PanelFigures& figures) {
+  Value value;
+  visit_beads(figures, [&](const char* name, int figure) { value[name] = figure; });
+  return value;
 }
 
-Value mesh_of(const PanelFigures& f) {
-  return {{"nodes", f.nodes},
-          {"quads", f.quads},
-          {"trias", f.trias},
-          {"scaled_jacobian_min", f.scaled_jacobian_min},
-          {"scaled_jacobian_mean", f.scaled_jacobian_mean},
-          {"edge_min", f.edge_min},
-          {"inverted", f.inverted},
-          {"edges_below_min", f.edges_below_min}};
+Value mesh_of(const PanelFigures& figures) {
+  Value value;
+  visit_mesh(figures, [&](const char* name, auto figure) { value[name] = figure; });
+  return value;
 }
 
 Value row_of(const PanelState& s) {
@@ -53,10 +51,25 @@ Value row_of(const PanelState& s) {
   return row;
 }
 
-std::string figures_fields(const PanelFigures& f) {
-  return fmt::format("{},{},{},{},{},{},{},{},{:.4f},{:.4f},{:.4f},{},{},{},{}", f.beads(), f.I, f.generic,
-                     f.annular, f.fallbacks, f.nodes, f.quads, f.trias, f.scaled_jacobian_min,
-                     f.scaled_jacobian_mean, f.edge_min, f.inverted, f.edges_below_min, f.warnings, f.errors);
+std::string figure_names() {
+  const PanelFigures nothing;
+  std::string text = "beads";
+  visit_all(nothing, [&](const char* name, auto) { text += std::string(",") + name; });
+  return text;
+}
+
+std::string figure_field(int figure) {
+  return std::to_string(figure);
+}
+
+std::string figure_field(double figure) {
+  return fmt::format("{:.4f}", figure);
+}
+
+std::string figure_fields(const PanelFigures& figures) {
+  std::string text = std::to_string(figures.beads());
+  visit_all(figures, [&](const char*, auto figure) { text += "," + figure_field(figure); });
+  return text;
 }
 
 }  // namespace
@@ -101,12 +114,10 @@ std::string batch_json(const std::vector<PanelState>& states) {
 }
 
 std::string batch_csv(const std::vector<PanelState>& states) {
-  std::string text =
-      "name,outcome,exit_status,signal,beads,I,generic,annular,fallbacks,nodes,quads,trias,"
-      "scaled_jacobian_min,scaled_jacobian_mean,edge_min,inverted,edges_below_min,warnings,errors,message,"
-      "input\n";
+  const std::string names = figure_names(), none(std::count(names.begin(), names.end(), ','), ',');
+  std::string text = "name,outcome,exit_status,signal," + names + ",message,input\n";
   for (const PanelState& s : states) {
-    const std::string figures = has_results(s.outcome) ? figures_fields(s.figures) : std::string(14, ',');
+    const std::string figures = has_results(s.outcome) ? figure_fields(s.figures) : none;
     text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(s.name), name_of(s.outcome), s.exit_status,
                         s.signal, figures, csv_field(s.message), csv_field(s.input));
   }

@@ -47,38 +47,16 @@ std::optional<Value> parsed_file(const std::filesystem::path& path, const char* 
   return value;
 }
 
-Value value_of(const PanelFigures& f) {
-  return {{"I", f.I},
-          {"generic", f.generic},
-          {"annular", f.annular},
-          {"fallbacks", f.fallbacks},
-          {"nodes", f.nodes},
-          {"quads", f.quads},
-          {"trias", f.trias},
-          {"scaled_jacobian_min", f.scaled_jacobian_min},
-          {"scaled_jacobian_mean", f.scaled_jacobian_mean},
-          {"edge_min", f.edge_min},
-          {"inverted", f.inverted},
-          {"edges_below_min", f.edges_below_min},
-          {"warnings", f.warnings},
-          {"errors", f.errors}};
+Value value_of(const PanelFigures& figures) {
+  Value value;
+  visit_all(figures, [&](const char* name, auto figure) { value[name] = figure; });
+  return value;
 }
 
-PanelFigures figures_of_value(const Value& v) {
-  return {v.at("I"),
-          v.at("generic"),
-          v.at("annular"),
-          v.at("fallbacks"),
-          v.at("nodes"),
-          v.at("quads"),
-          v.at("trias"),
-          v.at("scaled_jacobian_min"),
-          v.at("scaled_jacobian_mean"),
-          v.at("edge_min"),
-          v.at("inverted"),
-          v.at("edges_below_min"),
-          v.at("warnings"),
-          v.at("errors")};
+PanelFigures figures_of_value(const Value& value) {
+  PanelFigures figures;
+  visit_all(figures, [&](const char* name, auto& figure) { value.at(name).get_to(figure); });
+  return figures;
 }
 
 PanelState state_of_value(const Value& v) {

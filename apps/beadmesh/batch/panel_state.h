@@ -48,6 +48,27 @@ struct PanelFigures {
   int beads() const { return I + generic + annular; }
 };
 
+/// Each figure of the beads, of the mesh, and of the messages with its name in the files, in their order:
+/// visit(name, value).
+template <class Figures, class Visit>
+void visit_beads(Figures& f, const Visit& visit) {
+  visit("I", f.I), visit("generic", f.generic), visit("annular", f.annular), visit("fallbacks", f.fallbacks);
+}
+template <class Figures, class Visit>
+void visit_mesh(Figures& f, const Visit& visit) {
+  visit("nodes", f.nodes), visit("quads", f.quads), visit("trias", f.trias);
+  visit("scaled_jacobian_min", f.scaled_jacobian_min), visit("scaled_jacobian_mean", f.scaled_jacobian_mean);
+  visit("edge_min", f.edge_min), visit("inverted", f.inverted), visit("edges_below_min", f.edges_below_min);
+}
+template <class Figures, class Visit>
+void visit_messages(Figures& f, const Visit& visit) {
+  visit("warnings", f.warnings), visit("errors", f.errors);
+}
+template <class Figures, class Visit>
+void visit_all(Figures& f, const Visit& visit) {
+  visit_beads(f, visit), visit_mesh(f, visit), visit_messages(f, visit);
+}
+
 /// What the run cost; differs from run to run, so it stays out of the summaries.
 struct PanelCost {
   int attempts = 0;

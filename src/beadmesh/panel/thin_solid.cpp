@@ -1,6 +1,7 @@
 #include "beadmesh/panel/thin_solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -12,6 +13,9 @@
 
 namespace beadmesh {
 namespace {
+
+/// In the order of Skin.
+constexpr std::array<std::string_view, 4> skin_names{"outer", "inner", "middle", "whole"};
 
 using FaceList = std::vector<Index>;
 
@@ -345,6 +349,17 @@ Panel only(Panel panel, const std::vector<bool>& kept) {
 
 }  // namespace
 
+std::string_view name_of(Skin skin) {
+  return skin_names[static_cast<std::size_t>(skin)];
+}
+
+Result<Skin> skin_of(std::string_view name) {
+  const auto found = std::find(skin_names.begin(), skin_names.end(), name);
+  if (found == skin_names.end())
+    return fail("usage.skin", "unknown skin '" + std::string(name) + "'", "outer, inner, middle or whole");
+  return static_cast<Skin>(found - skin_names.begin());
+}
+
 Panel with_skins(Panel panel, const ThinSolidOptions& options) {
   if (options.skin == Skin::whole) return panel;
   std::vector<bool> kept(panel.faces.size(), true);
@@ -373,13 +388,11 @@ Panel with_skins(Panel panel, const ThinSolidOptions& options) {
       if (options.skin == Skin::middle) inwards[f] = sign * panel.faces[f].thickness / 2;
     }
     std::sort(thicknesses.begin(), thicknesses.end());
-    panel.diagnostics.push_back(
-        note(panel, piece, "read.skin", Severity::note,
-             "a thin solid of " + std::to_string(piece.size()) + " faces became its " +
-                 (options.skin == Skin::outer   ? "outer"
-                  : options.skin == Skin::inner ? "inner"
-                                                : "middle") +
-                 " skin of " + std::to_string(skin.size()) + ", " + range(thicknesses) + " thick"));
+    panel.diagnostics.push_back(note(panel, piece, "read.skin", Severity::note,
+                                     "a thin solid of " + std::to_string(piece.size()) +
+                                         " faces became its " + std::string(name_of(options.skin)) +
+                                         " skin of " + std::to_string(skin.size()) + ", " +
+                                         range(thicknesses) + " thick"));
   }
   if (!is_changed) return panel;
   std::vector<double> of_kept;

@@ -1,6 +1,10 @@
 // A panel that was modelled with its thickness, as a skin.
 #pragma once
 
+#include <string>
+#include <string_view>
+
+#include "beadmesh/core/result.h"
 #include "beadmesh/panel/panel.h"
 
 namespace beadmesh {
@@ -12,6 +16,10 @@ enum class Skin {
   middle,  ///< the outer one moved inwards by half the thickness
   whole    ///< solids stay as they are
 };
+
+std::string_view name_of(Skin skin);
+/// By its name. Fails with usage.skin.
+Result<Skin> skin_of(std::string_view name);
 
 struct ThinSolidOptions {
   Skin skin = Skin::outer;    ///< default: exact surfaces, and the hull that others see
