@@ -29,13 +29,13 @@ def cut(panel, y):
 
 
 def draw_solid(path, picture):
-    figure, axes = plt.subplots(figsize=(11, 3.2), layout="constrained")
-    for skin, color, width in (("whole", "#bbbbbb", 5), ("middle", "#e69f00", 2), ("outer", "#0072b2", 2), ("inner", "#009e73", 2)):
+    figure, axes = plt.subplots(figsize=(11, 2.6), layout="constrained")
+    bead = max(beadmesh.beads(beadmesh.read(path)).beads, key=lambda one: one.kind == "I")
+    for skin, color, width in (("whole", "#bbbbbb", 6), ("middle", "#e69f00", 2), ("outer", "#0072b2", 2), ("inner", "#009e73", 2)):
         panel = beadmesh.read(path, skin=skin)
-        bead = max(beadmesh.beads(beadmesh.read(path)).beads, key=lambda b: b.kind == "I")
         axes.add_collection(LineCollection(cut(panel, bead.point[1]), colors=color, linewidths=width, label=f"--skin {skin}"))
     x, _, z = bead.point
-    axes.set(xlim=(x - 62, x + 62), ylim=(z - 14, z + 6), aspect="equal")
+    axes.set(xlim=(x - 26, x + 26), ylim=(z - 10, z + 2), aspect="equal")
     axes.set_axis_off()
     axes.legend(loc="lower center", ncols=4, framealpha=1)
     figure.savefig(picture, dpi=100)

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Draws the pictures of the documentation anew, by the program itself, from the example panels.
 # Usage, after `make build`: docs/pictures/make_pictures.sh [BUILD_FOLDER]      default: build/release
-# Needs rsvg-convert (Debian: librsvg2-bin); for the report node, chromium and `npm ci`.
+# Needs rsvg-convert (Debian: librsvg2-bin); for the report node, chromium and `npm ci`; for the pictures of decks and inputs
+# the packages of apt-packages-test.txt.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "${1:-$here/../../build/release}" && pwd)
@@ -37,7 +38,29 @@ crop basic t_bead "80 405 680 400" && png t_bead 1100
 crop basic ring_bead "850 550 510 510" && png ring_bead 700
 crop basic sheet "90 760 780 405" && png sheet 1100
 
+# Stages one by one: samples and triangles of a T with soft ends and a hole, a sheet before and after clean-up.
+awk 'BEGIN {
+  pi = atan2(0, -1); printf "POLYGON((0 0"
+  for (i = 0; i <= 30; ++i) { a = -pi / 2 + pi * i / 30; printf ", %.6f %.6f", 88 + 24 * cos(a), 12 + 12 * sin(a) }
+  printf ", 66 24, 66 40"
+  for (i = 1; i < 30; ++i) { a = pi * i / 30; printf ", %.6f %.6f", 56 + 10 * cos(a), 40 + 16 * sin(a) }
+  printf ", 46 40, 46 24, 0 24), ("
+  for (i = 0; i < 36; ++i) { a = -2 * pi * i / 36; printf "%s%.6f %.6f", i ? ", " : "", 22 + 8 * cos(a), 12 + 8 * sin(a) }
+  print "))"
+}' > tee.wkt
+"$build/examples/draw_stage" triangulation tee.wkt triangulation.svg && png triangulation 1100
+"$build/examples/draw_stage" cleanup topological_cleanup.svg && png topological_cleanup 1200
+
+# python SCRIPT ARGUMENT...: a picture by Debian's Python and the package of the build.
+python() { script=$1; shift; PYTHONPATH=$build/python /usr/bin/python3 -B "$here/$script" "$@"; }
+"$beadmesh" mesh basic.step -o basic.inp
+python draw_deck.py basic.inp 3 "$here/deck.png"
+"$beadmesh" mesh basic.step -o facets.stl --size 4 --min-edge 1.5
+python draw_inputs.py facets facets.stl "$here/facetted_input.png"
+
 "$build/examples/make_example_panel" filleted filleted.step
+"$build/examples/vary_panel" filleted.step solid.step --thickness 1.2
+python draw_inputs.py solid solid.step "$here/cad_input.png"
 mesh filleted filleted
 png filleted 1200
 "$beadmesh" beads filleted.step --debug-svg grouping.svg

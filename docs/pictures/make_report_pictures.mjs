@@ -18,4 +18,8 @@ await page.click("#beads tr[data-bead='14']");
 for (const layer of ["axes", "splits"]) await page.click(`#layer-${layer}`);
 await page.click("#tab-quality");
 await shot("report_quality");
+for (const layer of ["axes", "splits"]) await page.click(`#layer-${layer}`);
+await page.selectOption("#measure", "jacobian");
+await page.locator("#quality tbody tr", {hasText: "jacobian"}).click();
+await shot("quality");
 await browser.close();

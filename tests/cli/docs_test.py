@@ -77,6 +77,13 @@ class Pages(Case):
         printed = subprocess.run([PROGRAM, "options"], capture_output=True, text=True, check=True, timeout=TIMEOUT).stdout
         self.assertEqual(printed, (ROOT / "docs/options.md").read_text(), "run: beadmesh options > docs/options.md")
 
+    def test_every_page_of_a_stage_has_its_picture(self):
+        stages = (ROOT / "docs/README.md").read_text().split("## The stages")[1].split("\n\n[install]")[0]
+        pages = re.findall(r"^\d+\. \[\w+\]\((\w+\.md)\)", stages, re.M)
+        self.assertGreater(len(pages), 12)
+        for page in pages:
+            self.assertRegex((ROOT / "docs" / page).read_text(), r"!\[[^]]+\]\(pictures/", page)
+
     def test_links_between_pages(self):
         for page in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
             for target in re.findall(r"\]\(([^)#\s]+)", page.read_text()):

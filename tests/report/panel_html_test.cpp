@@ -69,10 +69,12 @@ TEST(PanelHtml, DesignIsATableOfItsOwnWithLimitsInItsHeads) {
   judge_design(judged.designs, judged.design_limits);
   const std::string html = panel_html(plate_panel(), plate(), judged);
   const std::string section = html.substr(html.find("<section id=\"design\""));
-  for (const char* part : {"wall angle, ° (≤ 60)", "<td class=\"number fails\">✗ 61.5</td>", "<td class=\"number\">0.333</td>",
-                           "<td class=\"number\">–</td>", "<tr data-bead=\"1\">"})
+  for (const char* part :
+       {"wall angle, ° (≤ 60)", "<td class=\"number fails\">✗ 61.5</td>", "<td class=\"number\">0.333</td>",
+        "<td class=\"number\">–</td>", "<tr data-bead=\"1\">"})
     EXPECT_NE(section.find(part), std::string::npos) << part;
-  EXPECT_EQ(panel_html(plate_panel(), plate(), facts("plate")).find("<section id=\"design\""), std::string::npos);
+  EXPECT_EQ(panel_html(plate_panel(), plate(), facts("plate")).find("<section id=\"design\""),
+            std::string::npos);
 }
 
 TEST(PanelHtml, AsksForNothingFromOutside) {

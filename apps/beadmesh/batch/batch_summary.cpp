@@ -54,7 +54,7 @@ Value row_of(const PanelState& s) {
 std::string figure_names() {
   const PanelFigures nothing;
   std::string text = "beads";
-  visit_all(nothing, [&](const char* name, auto) { text += std::string(",") + name; });
+  visit_all(nothing, [&](const char* name, auto) { text.append(1, ',').append(name); });
   return text;
 }
 
@@ -68,7 +68,7 @@ std::string figure_field(double figure) {
 
 std::string figure_fields(const PanelFigures& figures) {
   std::string text = std::to_string(figures.beads());
-  visit_all(figures, [&](const char*, auto figure) { text += "," + figure_field(figure); });
+  visit_all(figures, [&](const char*, auto figure) { text.append(1, ',').append(figure_field(figure)); });
   return text;
 }
 
