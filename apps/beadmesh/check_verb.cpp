@@ -125,6 +125,17 @@ std::map<Index, Vec3> repair(ShellDeck& deck, const Options& options, const Qual
   return places;
 }
 
+/// A repair puts new places into the cards of a Nastran deck and leaves all other lines as they are.
+Result<void> check_repair(const Options& options) {
+  if (options.outputs.repaired.empty()) return {};
+  std::string ending = options.input.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (ending == ".bdf" || ending == ".nas" || ending == ".dat") return {};
+  return fail("usage.repair", "only Nastran decks (.bdf .nas .dat) are repaired",
+              "mesh the panel to such a deck, or check without --repair", options.input.filename().string());
+}
+
 Result<std::string> text_of_file(const std::filesystem::path& name) {
   std::ifstream in(name, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -137,6 +148,7 @@ Result<std::string> text_of_file(const std::filesystem::path& name) {
 Result<int> run_check(const Options& options) {
   const auto criteria = criteria_asked_for(options);
   if (!criteria) return tl::make_unexpected(criteria.error());
+  if (const auto can = check_repair(options); !can) return tl::make_unexpected(can.error());
   auto deck = read_shell_deck(options.input);
   if (!deck) return tl::make_unexpected(deck.error());
   Outputs outputs;

@@ -207,6 +207,10 @@ class Files(Case):
         self.assert_refused("check", deck, "--repair", self.folder / "out.bdf", names="limits")
         self.assert_refused("check", deck, "--preset", "crash", "--repair", deck, names="panel.bdf")
         self.assert_refused("check", deck, "--preset", "crash", "--repair", self.folder / "out.txt", names="out.txt")
+        for ending in (".k", ".inp"):
+            other = self.folder / f"panel{ending}"
+            run("mesh", example("single"), "-o", other)
+            self.assert_refused("check", other, "--preset", "crash", "--repair", self.folder / "out.bdf", names="Nastran")
 
     def test_minimum_edge_holds_in_the_deck(self):
         points, quads = read_deck(meshed().deck.read_text())
