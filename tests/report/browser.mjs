@@ -109,7 +109,7 @@ export async function matchesReference(page, name) {
   const png = await picture(page), path = join(here, "pictures", `${name}.png`);
   if (process.env.UPDATE_PICTURES) writeFileSync(path, await reduced(page, png));
   if (!existsSync(path)) throw new Error(`no reference ${path}: run with UPDATE_PICTURES=1 and look at it`);
-  const apart = await difference(page, png, readFileSync(path));
+  const apart = await difference(page, await reduced(page, png), readFileSync(path));
   const kept = process.env.PICTURES_KEPT;
   if (kept) {
     mkdirSync(kept, {recursive: true});
