@@ -92,6 +92,26 @@ TEST(FaceMesher, OddBoundaryCostsOneTriangle) {
   EXPECT_EQ(quality(*mesh).trias, 1);
 }
 
+/// Quads of a ring round an acute tip have a corner of nearly 180 degrees there.
+TEST(FaceMesher, WashersThatLeaveAPoorElementAreLeftOut) {
+  const auto study = sheet();
+  const Vec2 tips[] = {{20, 0}, {0, -4}, {-20, 0}, {0, 4}};
+  std::vector<Vec2> slit;
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < 4; ++i) slit.push_back(lerp(tips[k], tips[(k + 1) % 4], i / 4.0));
+  NodeLoops loops;
+  test::add_loop(loops, box(100, 60, 20, 12));
+  test::add_loop(loops, slit);
+  const std::vector<Washer> washers{{1, 1, 5}};
+  const auto rings = washer_rings(loops, washers, 5, 2.5);
+  ASSERT_EQ(rings.size(), 1) << "there is room for a ring";
+  EXPECT_LT(quality(with_washers(loops, rings, {})).scaled_jacobian_min, 0.3);
+  const auto mesh = mesh_face(loops, *study->map, {5, 2.5, washers});
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(verify_planar_mesh(*mesh, loops), std::vector<std::string>{});
+  EXPECT_GE(quality(*mesh).scaled_jacobian_min, 0.3);
+}
+
 TEST(FaceMesher, LoopsThatCrossAreRefused) {
   const auto study = sheet();
   NodeLoops loops;
