@@ -228,11 +228,25 @@ class PanelAssembler {
     if (panel_edge_[e] != no_index) return panel_edge_[e];
     PanelEdge edge;
     edge.points = edge_points(e);
-    edge.curve = curve_of(topology_.edges[e].curve);
-    edge.parameters = topology_.edges[e].parameters;
+    if (ends_on_curve(topology_.edges[e])) {
+      edge.curve = curve_of(topology_.edges[e].curve);
+      edge.parameters = topology_.edges[e].parameters;
+    }
     panel_edge_[e] = static_cast<Index>(panel_.edges.size());
     panel_.edges.push_back(std::move(edge));
     return panel_edge_[e];
+  }
+
+  /// In damaged files, and where wide gaps were sewn, vertices lie elsewhere: the points are all there is
+  /// then.
+  bool ends_on_curve(const CadEdge& edge) const {
+    constexpr double limit = 0.01;  // mm
+    const auto off = [&](double t, Index vertex) {
+      const gp_Pnt p = edge.curve->Value(t);
+      return distance({p.X(), p.Y(), p.Z()}, topology_.vertices[vertex]);
+    };
+    return off(edge.parameters.front(), edge.first_vertex) <= limit &&
+           off(edge.parameters.back(), edge.last_vertex) <= limit;
   }
 
   const CadModel& model_;

@@ -52,7 +52,8 @@ Result<void> check_size(const CadModel& model) {
               "check its unit, which is " + model.unit);
 }
 
-Result<Panel> read_unguarded(const std::filesystem::path& path, ReadOptions options, const Context& context) {
+Result<Panel> read_unguarded(const std::filesystem::path& path, const ReadOptions& options,
+                             const Context& context) {
   const std::lock_guard lock(reader_mutex());
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
   context.report("read", 0);

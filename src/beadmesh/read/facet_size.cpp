@@ -180,8 +180,10 @@ void SizeField::smooth() {
 }
 
 double SizeField::at(Vec2 stretched) const {
-  const double x = std::clamp((stretched.x - low_.x) / step_.x, 0.0, nx_ - 1.0);
-  const double y = std::clamp((stretched.y - low_.y) / step_.y, 0.0, ny_ - 1.0);
+  // What is no number, as in damaged files, counts as the lower side.
+  const auto within = [](double t, double most) { return t > 0 ? std::min(t, most) : 0.0; };
+  const double x = within((stretched.x - low_.x) / step_.x, nx_ - 1.0);
+  const double y = within((stretched.y - low_.y) / step_.y, ny_ - 1.0);
   const int i = std::min(static_cast<int>(x), nx_ - 2), j = std::min(static_cast<int>(y), ny_ - 2);
   const double fx = x - i, fy = y - j;
   return std::lerp(std::lerp(cell(i, j), cell(i + 1, j), fx),
