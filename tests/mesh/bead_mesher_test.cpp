@@ -62,6 +62,10 @@ TEST(BeadMesher, ArcBead) {
 TEST(BeadMesher, Ring) {
   expect_good(examples::circular_ring(44, 14), BeadKind::annular, 0.93, 0);
 }
+TEST(BeadMesher, TightRingsKeepTheirShape) {
+  expect_good(examples::circular_ring(24, 11), BeadKind::annular, 0.93, 0);
+  expect_good(examples::rounded_ring(90, 60, 17, 11), BeadKind::annular, 0.93, 0);
+}
 TEST(BeadMesher, TBead) {
   expect_good(t_footprint(), BeadKind::generic, 0.65, 6, flat_base, 1);
 }

@@ -25,9 +25,11 @@ namespace {
 constexpr double acceptable_jacobian = 0.35;
 /// Fewer elements across are tried where no score reaches it.
 constexpr double fair_score = 0.5;
+/// In rings also where the worst shape is under it.
+constexpr double fair_shape_of_rings = 0.93;
 /// Scaled Jacobian that is given up for the surface and for warpage: in beads with and without junctions.
-/// Where arms meet in mitres, corners are sharper anyhow.
-constexpr double floor_of_junctions = 0.7, floor_without = 0.858;
+/// Where arms meet in mitres, corners are sharper anyhow; rings have no corner at all.
+constexpr double floor_of_junctions = 0.7, floor_without = 0.858, floor_of_rings = 0.94;
 /// What falls short of the floor by less is good enough to stop looking for a better variant.
 constexpr double good_enough = 0.015;
 /// Shapes that are better than the floor count so much less.
@@ -86,6 +88,7 @@ Result<BeadMesh> mesh_layout(Result<BlockLayout> layout, const SurfaceMap& map,
 
 struct Judged {
   BeadMesh mesh;
+  double shape = 0;   ///< worst scaled Jacobian
   double score = 0;   ///< worst scaled Jacobian, less what the distance from the surface takes away
   double rank = 0;    ///< the score, less what failing elements take away: the best of all attempts is kept
   bool good = false;  ///< no better one need be looked for
@@ -194,7 +197,7 @@ Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const Bea
                 "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
   const double score = score_of(report, options.size, floor),
                failing = share_of_failing(mesh->mesh, study, options);
-  return Judged{std::move(*mesh), score, score - failure_cost * failing,
+  return Judged{std::move(*mesh), report.scaled_jacobian_min, score, score - failure_cost * failing,
                 failing == 0 && score > floor - good_enough};
 }
 
@@ -230,6 +233,7 @@ class BeadMesher {
     AnnularBlockOptions blocks;
     blocks.prescribed = options_.prescribed;
     blocks.elements_on_loop = elements_on_loops();
+    floor_ = floor_of_rings;
     if (const auto asked = options_.control.elements_along) {
       if (const auto fits = check_around(*asked); !fits) return tl::unexpected(fits.error());
       blocks.elements_on_loop.assign(2, *asked);
@@ -240,8 +244,8 @@ class BeadMesher {
             return mesh_layout(blocks_of_annular_bead(crest_, study_.region, blocks), *study_.map, options_);
           }))
         return result();
-      // Fewer elements across leave more room for graded rows.
-      if (best_ && best_->score >= fair_score) return result();
+      // Fewer elements across leave more room for graded rows, and in tight corners.
+      if (best_ && best_->score >= fair_score && best_->shape >= fair_shape_of_rings) return result();
     }
     if (best_) return result();
     return last_resort([&] {

@@ -259,6 +259,8 @@ double NodeMotion::floor_of(const State& before, MotionAim aim) const {
   if (aim == MotionAim::edges) return 0.25;
   if (aim == MotionAim::flat) return limits_.flat_floor;
   if (aim != MotionAim::surface) return limits_.floor;
+  // Rings: shapes that are better than what others strive for are kept.
+  if (limits_.flat_floor > limits_.aim) return limits_.flat_floor;
   return before.deviation > 1.5 * surface_share * limits_.size ? 0.7 : 0.97 * limits_.aim;
 }
 
