@@ -134,6 +134,10 @@ class FacettedPanels(FacettedCase):
         self.check("panel.k", lsdyna(grid))
         self.check("panel.inp", abaqus(grid))
 
+    def test_outlines_that_facets_do_not_follow(self):
+        grid = Grid(two_beads, step=2)  # the outline is a staircase, its ends would be octagons
+        self.check("panel.bdf", nastran(grid))
+
     def test_coarse_shells(self):
         grid = Grid(two_beads, step=4)  # no node lies on the crest of the straight bead
         crests = [max(z for x, _, z in grid.points if side * x > 0) for side in (-1, 1)]
@@ -190,6 +194,26 @@ class FacettedMeshes(FacettedCase):
         found = json.loads(out.read_text())
         self.assertEqual(["blocks", "blocks"], [bead["mesh"]["method"] for bead in found["beads"]])
         self.assertEqual(0, found["mesh"]["trias"])
+
+
+    def test_properties_of_a_deck_are_kept(self):
+        grid = Grid(two_beads, step=2)
+        path = self.file("panel.bdf", nastran(grid, part=lambda quad: 8 if grid.points[quad[0]][0] > 8 else 3))
+        out = self.folder / "out.bdf"
+        self.assertIn(run("mesh", path, "-o", out).returncode, (0, 1))
+        lines = out.read_text().splitlines()
+        field = lambda line, i: line[8 * i:8 * i + 8].strip()
+        thickness = {field(l, 1): float(field(l, 3)) for l in lines if l.startswith("PSHELL")}
+        self.assertEqual((1.25, 0.75), (thickness["3"], thickness["8"]))
+        x = {l[8:24].strip(): float(l[40:56]) for l in lines if l.startswith("GRID*")}
+        found = {"3": 0, "8": 0}
+        for line in lines:
+            if not line.startswith("CQUAD4"):
+                continue
+            number, middle = field(line, 2), sum(x[field(line, i)] for i in range(3, 7)) / 4
+            self.assertEqual(1.25 if middle < 8.5 else 0.75, thickness[number], line)
+            found[number] = found.get(number, 0) + 1
+        self.assertTrue(found["3"] > 100 and found["8"] > 100, found)
 
 
 class BrokenFacets(Case):

@@ -16,9 +16,9 @@ class FacetWelder {
  public:
   FacetMesh run(const LooseFacets& facets) {
     weld(facets);
-    pair_half_edges();
+    pair_half_edges(mesh_, true);
     orient();
-    for (Index t = 0; t < mesh_.triangle_count(); ++t) mesh_.area_vectors.push_back(area_vector(t));
+    for (const Triangle& t : mesh_.triangles) mesh_.area_vectors.push_back(area_vector(mesh_.points, t));
     return std::move(mesh_);
   }
 
@@ -101,34 +101,6 @@ class FacetWelder {
     mesh_.parts.resize(kept);
   }
 
-  /// Two half-edges on the same two points are partners, whichever way they run; three or more have no
-  /// partner.
-  void pair_half_edges() {
-    const Index n = 3 * mesh_.triangle_count();
-    std::vector<Index> order(n);
-    for (Index h = 0; h < n; ++h) order[h] = h;
-    const auto key = [&](Index h) {
-      return std::pair{std::min(mesh_.tail(h), mesh_.head(h)), std::max(mesh_.tail(h), mesh_.head(h))};
-    };
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      const auto ka = key(a), kb = key(b);
-      return ka != kb ? ka < kb : a < b;
-    });
-    mesh_.partner.assign(n, no_index);
-    for (Index i = 0, j; i < n; i = j) {
-      for (j = i + 1; j < n && key(order[j]) == key(order[i]);) ++j;
-      if (j - i != 2 || order[i] / 3 == order[i + 1] / 3) continue;
-      mesh_.partner[order[i]] = order[i + 1];
-      mesh_.partner[order[i + 1]] = order[i];
-    }
-  }
-
-  Vec3 area_vector(Index t) const {
-    const Triangle& v = mesh_.triangles[t];
-    const Vec3 a = mesh_.points[v[0]];
-    return cross(mesh_.points[v[1]] - a, mesh_.points[v[2]] - a) / 2;
-  }
-
   /// Turns triangles so that partners run in opposite directions; the side with more area stays.
   void orient() {
     std::vector<int> side(mesh_.triangles.size(), -1);
@@ -140,7 +112,7 @@ class FacetWelder {
       std::array<double, 2> weight{0, 0};
       for (std::size_t i = 0; i < piece.size(); ++i) {
         const Index t = piece[i];
-        weight[side[t]] += norm(area_vector(t));
+        weight[side[t]] += norm(area_vector(mesh_.points, mesh_.triangles[t]));
         for (Index h = 3 * t; h < 3 * t + 3; ++h) {
           if (mesh_.partner[h] == no_index || side[mesh_.partner[h] / 3] >= 0) continue;
           side[mesh_.partner[h] / 3] = side[t] ^ (mesh_.tail(h) == mesh_.tail(mesh_.partner[h]) ? 1 : 0);
@@ -160,16 +132,39 @@ class FacetWelder {
            {},
            std::to_string(turned.size()) + " facets were turned over to agree with their neighbours",
            {}});
-    pair_half_edges();
-    for (Index h = 0; h < 3 * mesh_.triangle_count(); ++h)
-      if (mesh_.partner[h] != no_index && mesh_.tail(h) == mesh_.tail(mesh_.partner[h]))
-        mesh_.partner[mesh_.partner[h]] = no_index, mesh_.partner[h] = no_index;
+    pair_half_edges(mesh_);
   }
 
   FacetMesh mesh_;
 };
 
 }  // namespace
+
+Vec3 area_vector(const std::vector<Vec3>& points, const Triangle& triangle) {
+  const Vec3 a = points[triangle[0]];
+  return cross(points[triangle[1]] - a, points[triangle[2]] - a) / 2;
+}
+
+void pair_half_edges(FacetMesh& mesh, bool any_direction) {
+  const Index n = 3 * mesh.triangle_count();
+  std::vector<Index> order(n);
+  for (Index h = 0; h < n; ++h) order[h] = h;
+  const auto key = [&](Index h) {
+    return std::pair{std::min(mesh.tail(h), mesh.head(h)), std::max(mesh.tail(h), mesh.head(h))};
+  };
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const auto ka = key(a), kb = key(b);
+    return ka != kb ? ka < kb : a < b;
+  });
+  mesh.partner.assign(n, no_index);
+  for (Index i = 0, j; i < n; i = j) {
+    for (j = i + 1; j < n && key(order[j]) == key(order[i]);) ++j;
+    const Index a = order[i], b = order[j - 1];
+    if (j - i != 2 || a / 3 == b / 3 || (mesh.tail(a) == mesh.tail(b) && !any_direction)) continue;
+    mesh.partner[a] = b;
+    mesh.partner[b] = a;
+  }
+}
 
 double FacetMesh::turn(Index h) const {
   const Vec3 a = area_vectors[h / 3], b = area_vectors[partner[h] / 3];

@@ -46,6 +46,12 @@ struct FacetMesh {
   double reach(Index h) const;
 };
 
+Vec3 area_vector(const std::vector<Vec3>& points, const Triangle& triangle);
+
+/// Makes partners of the two half-edges between the same two points. Three and more have none, nor do two
+/// that run the same way unless `any_direction`.
+void pair_half_edges(FacetMesh& mesh, bool any_direction = false);
+
 /// Welds corners closer than 1e-6 of the size, drops collapsed and repeated triangles, and turns them alike
 /// (the side with more area stays). Edges of three and more triangles, and those where no turning agrees, are
 /// borders.

@@ -12,12 +12,10 @@ struct OutlineOptions {
   double tooth = 1.5;  ///< default 1.5: rim over base of what is a tooth; the ears of a round outline have 1
   double sliver =
       0.25;  ///< default 0.25: height over longest side under which a facet of the sheet may go over
-  double most_turn = radians(20);  ///< default 20 degrees: outlines that turn back by more are faired
 };
 
-/// First gives facets that could belong to either side to the one that makes the outline shorter. Then moves
-/// the points of outlines that still zigzag, along the sheet, to a smooth line in between (Taubin 1995), as
-/// far as no facet turns over.
+/// First gives facets that could belong to either side to the one that makes the outline shorter, then cuts
+/// the facets along smooth outlines (outline_cutting.h).
 void straighten_outlines(FacetMesh& mesh, FacetGroups& groups, const OutlineOptions& options = {});
 
 }  // namespace beadmesh

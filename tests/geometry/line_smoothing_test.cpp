@@ -1,0 +1,58 @@
+#include "beadmesh/geometry/line_smoothing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace beadmesh {
+namespace {
+
+constexpr int count = 400;
+constexpr double radius = 10, step = 2 * pi * radius / count;
+
+Vec3 on_circle(int i, double r = radius) {
+  return {r * std::cos(2 * pi * i / count), r * std::sin(2 * pi * i / count), 3};
+}
+
+double farthest_from_circle(const std::vector<Vec3>& line) {
+  double most = 0;
+  for (const Vec3 p : line) most = std::max(most, std::abs(std::hypot(p.x, p.y) - radius));
+  return most;
+}
+
+TEST(LineSmoothing, LeavesACircleAlone) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) points.push_back(on_circle(i));
+  EXPECT_LT(farthest_from_circle(smoothed_line(points, step, std::vector<bool>(count, false))), 0.005);
+}
+
+TEST(LineSmoothing, ToothDoesNotDrawTheLine) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) points.push_back(on_circle(i, i >= 100 && i < 108 ? radius + 0.6 : radius));
+  EXPECT_LT(farthest_from_circle(smoothed_line(points, step, std::vector<bool>(count, false))), 0.05);
+}
+
+TEST(LineSmoothing, ZigzagBecomesItsMiddle) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) points.push_back(on_circle(i, i % 8 < 4 ? radius + 0.5 : radius - 0.5));
+  LineSmoothingOptions options;
+  options.wavelength = 8;
+  EXPECT_LT(farthest_from_circle(smoothed_line(points, step, std::vector<bool>(count, false), options)),
+            0.05);
+}
+
+TEST(LineSmoothing, CornersStay) {
+  std::vector<Vec3> points;
+  std::vector<bool> corners;
+  const std::vector<Vec3> square{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}};
+  for (int side = 0; side < 4; ++side)
+    for (int i = 0; i < 100; ++i) {
+      points.push_back(lerp(square[side], square[(side + 1) % 4], i / 100.0));
+      corners.push_back(i == 0);
+    }
+  const std::vector<Vec3> line = smoothed_line(points, 0.2, corners);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LT(distance(points[i], line[i]), 0.01);
+}
+
+}  // namespace
+}  // namespace beadmesh
