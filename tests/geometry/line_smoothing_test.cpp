@@ -7,37 +7,42 @@
 namespace beadmesh {
 namespace {
 
-constexpr int count = 400;
-constexpr double radius = 10, step = 2 * pi * radius / count;
+constexpr int sample_count = 400;
+constexpr double circle_radius = 10, sample_step = 2 * pi * circle_radius / sample_count;
 
-Vec3 on_circle(int i, double r = radius) {
-  return {r * std::cos(2 * pi * i / count), r * std::sin(2 * pi * i / count), 3};
+Vec3 on_circle(int i, double r = circle_radius) {
+  return {r * std::cos(2 * pi * i / sample_count), r * std::sin(2 * pi * i / sample_count), 3};
 }
 
 double farthest_from_circle(const std::vector<Vec3>& line) {
   double most = 0;
-  for (const Vec3 p : line) most = std::max(most, std::abs(std::hypot(p.x, p.y) - radius));
+  for (const Vec3 p : line) most = std::max(most, std::abs(std::hypot(p.x, p.y) - circle_radius));
   return most;
 }
 
 TEST(LineSmoothing, LeavesACircleAlone) {
   std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) points.push_back(on_circle(i));
-  EXPECT_LT(farthest_from_circle(smoothed_line(points, step, std::vector<bool>(count, false))), 0.005);
+  for (int i = 0; i < sample_count; ++i) points.push_back(on_circle(i));
+  EXPECT_LT(farthest_from_circle(smoothed_line(points, sample_step, std::vector<bool>(sample_count, false))),
+            0.005);
 }
 
 TEST(LineSmoothing, ToothDoesNotDrawTheLine) {
   std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) points.push_back(on_circle(i, i >= 100 && i < 108 ? radius + 0.6 : radius));
-  EXPECT_LT(farthest_from_circle(smoothed_line(points, step, std::vector<bool>(count, false))), 0.05);
+  for (int i = 0; i < sample_count; ++i)
+    points.push_back(on_circle(i, i >= 100 && i < 108 ? circle_radius + 0.6 : circle_radius));
+  EXPECT_LT(farthest_from_circle(smoothed_line(points, sample_step, std::vector<bool>(sample_count, false))),
+            0.05);
 }
 
 TEST(LineSmoothing, ZigzagBecomesItsMiddle) {
   std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) points.push_back(on_circle(i, i % 8 < 4 ? radius + 0.5 : radius - 0.5));
+  for (int i = 0; i < sample_count; ++i)
+    points.push_back(on_circle(i, i % 8 < 4 ? circle_radius + 0.5 : circle_radius - 0.5));
   LineSmoothingOptions options;
   options.wavelength = 8;
-  EXPECT_LT(farthest_from_circle(smoothed_line(points, step, std::vector<bool>(count, false), options)),
+  EXPECT_LT(farthest_from_circle(
+                smoothed_line(points, sample_step, std::vector<bool>(sample_count, false), options)),
             0.05);
 }
 

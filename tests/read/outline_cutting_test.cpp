@@ -16,7 +16,7 @@ struct GriddedDisc {
   FacetGroups groups;
 };
 
-constexpr double radius = 15;
+constexpr double disc_radius = 15;
 
 GriddedDisc gridded_disc(double step) {
   const int cells = int(40 / step);
@@ -31,7 +31,7 @@ GriddedDisc gridded_disc(double step) {
   disc.mesh = weld_facets(facets);
   disc.groups.is_feature = {false, true};
   for (Index t = 0; t < disc.mesh.triangle_count(); ++t)
-    disc.groups.face.push_back(norm(disc.mesh.centre(t)) < radius ? 1 : 0);
+    disc.groups.face.push_back(norm(disc.mesh.centre(t)) < disc_radius ? 1 : 0);
   return disc;
 }
 
@@ -70,7 +70,7 @@ TEST(OutlineCutting, LosesNoFacetAndTurnsNoneOver) {
     inside += disc.groups.face[t] == 1 ? disc.mesh.area(t) : 0;
   }
   EXPECT_NEAR(area, 1600, 1e-6);
-  EXPECT_NEAR(inside / (pi * radius * radius), 1, 0.02);
+  EXPECT_NEAR(inside / (pi * disc_radius * disc_radius), 1, 0.02);
 }
 
 TEST(OutlineCutting, EdgesStayWatertight) {
