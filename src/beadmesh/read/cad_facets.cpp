@@ -28,7 +28,8 @@ class FaceFacetter {
     if (nodes_.crossing) return defective("its boundary crosses itself");
     limit_sizes();
     const std::size_t boundary = nodes_.points.size();
-    spawn_inner_points(*face_.surface, space_, polygons_, nodes_);
+    if (!spawn_inner_points(*face_.surface, space_, polygons_, nodes_))
+      return defective("its surface is far larger than its edges are fine");
     triangulate_nodes();
     if (!nodes_.defect.empty()) retry_without_inner_points(boundary);
     constexpr int most_rounds = 3;

@@ -12,7 +12,9 @@ namespace beadmesh {
 namespace {
 
 constexpr double clearance = 0.76;  // of the wanted size: no other point nearer than that
-constexpr std::size_t most_points = 2'000'000;
+constexpr double farthest =
+    1e9;  // mm from the origin; damaged surfaces have points anywhere, and some are no numbers
+constexpr std::size_t most_points = 400'000;  // more than a whole car body side at a chord of 0.02 mm
 
 /// A point that may spawn others, and the direction (in space) its pattern is turned to.
 struct Spawner {
@@ -29,11 +31,14 @@ class PointSpawner {
     for (const std::vector<Index>& polygon : polygons) add_boundary(polygon);
   }
 
-  void spawn() {
-    for (std::size_t i = 0; i < queue_.size() && queue_.size() < most_points; ++i) {
+  bool spawn() {
+    if (too_many_) return false;
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      if (queue_.size() > most_points) return false;
       const Spawner parent = queue_[i];  // the queue grows meanwhile
       spawn_from(parent);
     }
+    return true;
   }
 
  private:
@@ -62,7 +67,10 @@ class PointSpawner {
     const double length = distance(from, to);
     if (length <= 0) return;
     const double size = space_.sizes.at(space_.stretched((nodes_.uv[a] + nodes_.uv[b]) / 2));
-    const int pieces = std::max(2, static_cast<int>(std::ceil(length / (0.8 * size))));
+    const double wanted = std::ceil(length / (0.8 * size));
+    too_many_ = too_many_ || !(wanted < most_points);
+    if (too_many_) return;
+    const int pieces = std::max(2, static_cast<int>(wanted));
     for (int i = 1; i < pieces; ++i) taken_.insert(lerp(from, to, static_cast<double>(i) / pieces), size);
   }
 
@@ -93,6 +101,7 @@ class PointSpawner {
     if (!inside_(st)) return {};
     const double size = space_.sizes.at(st);
     const SurfaceFrame frame = frame_at(surface_, uv);
+    if (!(squared_norm(frame.point) < farthest * farthest)) return {};
     if (!taken_.is_free(frame.point, clearance * std::min(size, step), size)) return {};
     return Spawner{frame.point, frame.du, frame.dv, uv, parent.along};
   }
@@ -110,13 +119,14 @@ class PointSpawner {
   InsideTest inside_;
   PointHash taken_;
   std::vector<Spawner> queue_;
+  bool too_many_ = false;  // already on the boundary
 };
 
 }  // namespace
 
-void spawn_inner_points(const Geom_Surface& surface, const FaceSpace& space,
+bool spawn_inner_points(const Geom_Surface& surface, const FaceSpace& space,
                         const std::vector<std::vector<Index>>& polygons, FaceNodes& nodes) {
-  PointSpawner(surface, space, polygons, nodes).spawn();
+  return PointSpawner(surface, space, polygons, nodes).spawn();
 }
 
 }  // namespace beadmesh
