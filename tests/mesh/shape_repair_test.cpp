@@ -1,6 +1,7 @@
 #include "beadmesh/mesh/shape_repair.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,6 +121,20 @@ TEST(ShapeRepair, RaisesTheWorstShapeAndKeepsTheBoundary) {
     }
   EXPECT_GE(poor, 3) << "cases without anything to mend say nothing";
   EXPECT_GE(4 * mended, 3 * poor);
+}
+
+/// Zones apart from each other, and attempts on one of them, are made at once.
+TEST(ShapeRepair, IsTheSameOnAnyNumberOfThreads) {
+  PlanarMesh start = sample::cut_triangles(16, 12.0);
+  smooth(start, nullptr, {5, 2.5});
+  std::vector<PlanarMesh> results;
+  for (const size_t threads : {1, 4}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    results.push_back(start);
+    EXPECT_GT(repair_shapes(results.back(), nullptr, {5, 2.5, 0.8}), 1);
+  }
+  EXPECT_EQ(results[0].nodes, results[1].nodes);
+  EXPECT_EQ(results[0].elements, results[1].elements);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "beadmesh/mesh/smoothing.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include "beadmesh/mesh/element_quality.h"
 #include "mesh/sample_quads.h"
@@ -180,6 +181,20 @@ TEST(Smoothing, SurfacePassesBringElementsNearer) {
   options.hopeless = 1.1;
   EXPECT_TRUE(smooth(hopeless, &map, options).given_up);
   EXPECT_EQ(hopeless.nodes, plain.nodes) << "the passes are left out";
+}
+
+/// Large meshes are moved by several threads at once.
+TEST(Smoothing, LargeMeshIsTheSameOnAnyNumberOfThreads) {
+  PlanarMesh start = sample::cut_triangles(24, 12.0);
+  sample::shake(start, 2.0, 11);
+  ASSERT_GT(start.nodes.size(), 3000u);
+  std::vector<PlanarMesh> results;
+  for (const size_t threads : {1, 4}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    results.push_back(start);
+    EXPECT_EQ(smooth(results.back(), nullptr).inverted, 0);
+  }
+  EXPECT_EQ(results[0].nodes, results[1].nodes);
 }
 
 }  // namespace

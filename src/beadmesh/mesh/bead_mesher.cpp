@@ -43,6 +43,8 @@ constexpr double failure_cost = 4;
 /// More than the worst scaled Jacobian gains (up to 0.06 has been seen) while the elements come nearer to the
 /// surface: a variant further behind the best is given up before.
 constexpr double most_gain_on_surface = 0.12;
+/// The same once they have come nearer.
+constexpr double most_gain_when_near = 0.05;
 
 /// Distance between a section of the bead and the elements across it, as a share of the size.
 constexpr double acceptable_deviation = 0.08;
@@ -162,30 +164,45 @@ double shortest_edge(const PlanarMesh& mesh, const FaceStudy& study) {
   return shortest;
 }
 
+/// The score, less what failing elements take away.
+double rank_of(double score, const PlanarMesh& mesh, const FaceStudy& study,
+               const BeadMesherOptions& options) {
+  return score - failure_cost * share_of_failing(mesh, study, options);
+}
+
+bool is_long_enough(const PlanarMesh& mesh, const FaceStudy& study, double min_edge) {
+  return shortest_edge(mesh, study) >= min_edge * (1 - 1e-6);
+}
+
 /// Lengths are kept on the facets. Where an edge falls under the minimum on the surface itself, it is
-/// smoothed again with as much more.
+/// smoothed again with as much more; not where the rank is so far behind `best_rank` that it is given up
+/// anyhow.
 SmoothingReport smooth_on_surface(BeadMesh& mesh, const FaceStudy& study, const BeadMesherOptions& options,
-                                  double floor, double hopeless) {
+                                  double floor, double best_rank) {
   const BeadMesh before = mesh;
-  SmoothingOptions smoothing{options.size, options.min_edge, 20, 10, 10, hopeless, floor};
+  SmoothingOptions smoothing{options.size, options.min_edge, 20, 10, 10, best_rank - most_gain_on_surface,
+                             floor};
+  smoothing.hopeless_when_near = best_rank - most_gain_when_near;
   SmoothingReport report = smooth(mesh.mesh, study.map.get(), mesh.lines, smoothing);
+  if (report.given_up || report.edges_below_min > 0) return report;
+  if (is_long_enough(mesh.mesh, study, options.min_edge)) return report;
+  const double rank = rank_of(score_of(report, options.size, floor), mesh.mesh, study, options);
+  report.given_up = rank < best_rank - most_gain_on_surface;
   if (report.given_up) return report;
-  const double shortest = shortest_edge(mesh.mesh, study);
-  if (report.edges_below_min > 0 || shortest >= options.min_edge * (1 - 1e-6)) return report;
+  smoothing.min_edge *= std::min(1.08, 1.003 * options.min_edge / shortest_edge(mesh.mesh, study));
   mesh = before;
-  smoothing.min_edge *= std::min(1.08, 1.003 * options.min_edge / shortest);
   report = smooth(mesh.mesh, study.map.get(), mesh.lines, smoothing);
-  report.edges_below_min = shortest_edge(mesh.mesh, study) < options.min_edge * (1 - 1e-6) ? 1 : 0;
+  report.edges_below_min = is_long_enough(mesh.mesh, study, options.min_edge) ? 0 : 1;
   return report;
 }
 
-/// Smooths and judges. What falls short is said in the failure; so is a shape under `hopeless` before the
-/// surface counts.
+/// Smooths and judges. What falls short is said in the failure; so is a shape far behind the best rank so
+/// far.
 Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const BeadMesherOptions& options,
-                        double floor, double hopeless) {
+                        double floor, double best_rank) {
   if (!mesh) return tl::unexpected(mesh.error());
   free_boundary(*mesh, study.region, options);
-  const SmoothingReport report = smooth_on_surface(*mesh, study, options, floor, hopeless);
+  const SmoothingReport report = smooth_on_surface(*mesh, study, options, floor, best_rank);
   take_over_boundary(*mesh);
   if (report.inverted > 0)
     return fail("mesh.bead.inverted", std::to_string(report.inverted) + " elements inverted");
@@ -196,9 +213,9 @@ Result<Judged> finished(Result<BeadMesh> mesh, const FaceStudy& study, const Bea
     return fail("mesh.bead.jacobian",
                 "scaled Jacobian " + std::to_string(report.scaled_jacobian_min).substr(0, 5));
   const double score = score_of(report, options.size, floor),
-               failing = share_of_failing(mesh->mesh, study, options);
-  return Judged{std::move(*mesh), report.scaled_jacobian_min, score, score - failure_cost * failing,
-                failing == 0 && score > floor - good_enough};
+               rank = rank_of(score, mesh->mesh, study, options);
+  return Judged{std::move(*mesh), report.scaled_jacobian_min, score, rank,
+                rank == score && score > floor - good_enough};
 }
 
 std::vector<std::array<Index, 2>> crest_edges(const BeadMesh& mesh) {
@@ -366,8 +383,7 @@ class BeadMesher {
   bool attempt(const std::string& name, const std::function<Result<BeadMesh>()>& make) {
     auto mesh = make();
     if (mesh && !is_new(mesh->mesh)) return false;
-    auto judged =
-        finished(std::move(mesh), study_, options_, floor_, best_ ? best_->rank - most_gain_on_surface : -2);
+    auto judged = finished(std::move(mesh), study_, options_, floor_, best_ ? best_->rank : -2);
     if (!judged) {
       const std::string reason = name + ": " + judged.error().message;
       if (std::find(reasons_.begin(), reasons_.end(), reason) == reasons_.end()) reasons_.push_back(reason);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "beadmesh/mesh/element_corners.h"
+
 namespace beadmesh {
 namespace {
 
@@ -86,11 +88,7 @@ double scaled_jacobian(const std::vector<Vec3>& nodes, const MeshElement& elemen
 }
 
 double jacobian_ratio(const std::array<double, 4>& corner_areas) {
-  // The determinant of a bilinear map is linear in both parameters.
-  const auto [a, b, c, d] = corner_areas;
-  const double mean = (a + b + c + d) / 4;
-  const double spread = (std::abs(b + c - a - d) + std::abs(c + d - a - b)) / (4 * std::sqrt(3.0));
-  return mean + spread > 0 ? (mean - spread) / (mean + spread) : 0;
+  return evenness_of(corner_areas);
 }
 
 double jacobian_ratio(const std::vector<Vec3>& nodes, const MeshElement& element) {

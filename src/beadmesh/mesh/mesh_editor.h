@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "beadmesh/mesh/node_motion.h"
@@ -84,7 +85,11 @@ class MeshEditor {
   std::vector<Index> zone_around(const std::vector<Index>& nodes) const;
   Judgement judge(const std::vector<Index>& nodes, const std::vector<Index>& zone) const;
   bool is_better(const Judgement& after, const Judgement& before, EditAim aim) const;
-  bool smooth_zone(const std::vector<Index>& zone);
+  std::vector<Index> elements_around(const std::vector<Index>& nodes, const std::vector<Index>& zone) const;
+  double reachable(const std::vector<Index>& elements) const;
+  double wanted_worst(const Judgement& before, EditAim aim) const;
+  bool is_hopeless(const Judgement& now, const Judgement& before, double share) const;
+  bool smooth_zone(const std::vector<Index>& zone, const std::function<bool()>& is_hopeless);
 
   EditorLimits limits_;
   SurfaceNodes nodes_;

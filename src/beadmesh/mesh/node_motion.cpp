@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
-#include "beadmesh/mesh/element_quality.h"
+#include "beadmesh/mesh/element_corners.h"
 
 namespace beadmesh {
 namespace {
@@ -34,67 +33,27 @@ constexpr double fair_evenness = 0.64, evenness_scale = 0.04;
 /// Sides up to so many sizes are fair; criteria let them have two.
 constexpr double fair_length = 1.9, length_scale = 0.1;
 
-/// Scaled Jacobian per corner and length of the side that starts there.
-struct Corners {
-  int count = 4;
-  double jacobian[4], side[4];
-  double worst = 0;
-  double evenness = 1;  ///< least over largest determinant at the Gauss points
-};
-
-Corners corners_of(const SurfaceNodes& nodes, const MeshElement& element) {
-  Corners result;
-  result.count = corner_count(element);
-  const int count = result.count;
-  Vec3 side[4];
-  for (int i = 0; i < count; ++i) {
-    side[i] = nodes.space(element[(i + 1) % count]) - nodes.space(element[i]);
-    result.side[i] = norm(side[i]);
-  }
-  const Vec3 normal =
-      normalized(count == 4 ? cross(side[0] + side[1], side[1] + side[2]) : cross(side[0], side[1]));
-  const double scale = count == 4 ? 1 : 2 / std::sqrt(3.0);
-  result.worst = std::numeric_limits<double>::infinity();
-  std::array<double, 4> area{};
-  for (int i = 0; i < count; ++i) {
-    const int before = (i + count - 1) % count;
-    const double lengths = result.side[i] * result.side[before];
-    area[i] = dot(cross(side[before], side[i]), normal);
-    const double jacobian = lengths > 0 ? scale * area[i] / lengths : 0;
-    result.jacobian[i] = jacobian;
-    result.worst = std::min(result.worst, jacobian);
-  }
-  if (count == 4) result.evenness = jacobian_ratio(area);
-  return result;
-}
-
-/// Area in the plane over the product of the diagonals (or of two sides): in [-1, 1], its sign is the
-/// orientation.
-double flat_orientation(const SurfaceNodes& nodes, const MeshElement& element) {
-  const Vec2 a = nodes.flat(element[0]), b = nodes.flat(element[1]), c = nodes.flat(element[2]);
-  const Vec2 p = is_quad(element) ? c - a : b - a;
-  const Vec2 q = is_quad(element) ? nodes.flat(element[3]) - b : c - a;
-  const double scale = norm(p) * norm(q);
-  return scale > 0 ? cross(p, q) / scale : 0;
-}
-
 double square(double x) {
   return x * x;
 }
 
+bool looks_at_surface(MotionAim aim) {
+  return aim == MotionAim::surface || aim == MotionAim::flat;
+}
+
 /// Grows with the squared angle between the two triangles of a quad, summed over both diagonals.
-double warpage_cost(const SurfaceNodes& nodes, const MeshElement& element) {
+double warpage_cost(const CornerPlaces& places) {
   Vec3 side[4], normal[4];
-  for (int i = 0; i < 4; ++i) side[i] = nodes.space(element[(i + 1) % 4]) - nodes.space(element[i]);
+  for (int i = 0; i < 4; ++i) side[i] = places.space((i + 1) % 4) - places.space(i);
   for (int i = 0; i < 4; ++i) normal[i] = normalized(cross(side[(i + 3) % 4], side[i]));
   const double angles = 2 * (2 - dot(normal[0], normal[2]) - dot(normal[1], normal[3]));
   return warpage_weight * square(std::max(0.0, angles / square(fair_warpage) - 1));
 }
 
 /// Grows where a quad falls short of what criteria ask besides warpage: evenness and long sides.
-double failing_cost(const Corners& corners, double size) {
-  const double uneven = std::max(0.0, fair_evenness - corners.evenness) / evenness_scale;
-  const double longest = *std::max_element(corners.side, corners.side + corners.count);
+double failing_cost(const CornerShapes& corners, double size) {
+  const double uneven = std::max(0.0, fair_evenness - corners.evenness()) / evenness_scale;
+  const double longest = *std::max_element(corners.side.begin(), corners.side.begin() + corners.count);
   const double too_long = std::max(0.0, longest / size - fair_length) / length_scale;
   return square(uneven) + square(too_long);
 }
@@ -102,12 +61,11 @@ double failing_cost(const Corners& corners, double size) {
 }  // namespace
 
 double signed_quality(const SurfaceNodes& nodes, const MeshElement& element) {
-  const double orientation = flat_orientation(nodes, element);
-  return orientation > 0 ? corners_of(nodes, element).worst : orientation - 1;
+  return signed_quality(places_of(nodes, element));
 }
 
 double evenness(const SurfaceNodes& nodes, const MeshElement& element) {
-  return corners_of(nodes, element).evenness;
+  return shapes_of(places_of(nodes, element)).evenness();
 }
 
 double NodeMotion::worst_around(Index node) const {
@@ -118,8 +76,7 @@ double NodeMotion::worst_around(Index node) const {
 
 double NodeMotion::evenness_around(Index node) const {
   double least = 1;
-  for (const Index e : mesh_.star(node))
-    least = std::min(least, corners_of(nodes_, mesh_.element(e)).evenness);
+  for (const Index e : mesh_.star(node)) least = std::min(least, evenness(nodes_, mesh_.element(e)));
   return least;
 }
 
@@ -133,29 +90,26 @@ double NodeMotion::shortfall(Index node) const {
   return 1 - shortest / limits_.min_edge;
 }
 
-/// Each edge at the node once: inner ones where they leave it, on the boundary also the one that arrives.
-bool NodeMotion::is_own_side(const MeshElement& element, int side, Index node) const {
-  if (element[side] == node) return true;
-  return element[(side + 1) % corner_count(element)] == node &&
-         mesh_.element_with_edge(node, element[side]) == no_index;
+void NodeMotion::gather(Index node, MotionAim aim) const {
+  star_.gather(node, nodes_, mesh_);
+  if (looks_at_surface(aim)) star_.gather_edges(node, mesh_, lines_);
 }
 
-NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
+/// Of the node whose star is gathered, where that star has been moved to.
+NodeMotion::State NodeMotion::measure(MotionAim aim) const {
   // Near the minimum edge length a soft wall begins; what is below it weighs more than any shape.
   const double soft = 1.2 * limits_.min_edge, width = soft - limits_.min_edge, long_side = 1.6 * limits_.size;
   const double wall = aim == MotionAim::edges ? 2000 : 50;
-  const bool near_surface = aim == MotionAim::surface || aim == MotionAim::flat;
+  const bool near_surface = looks_at_surface(aim);
   State state;
   state.worst = 1;
-  for (const Index e : mesh_.star(node)) {
-    const MeshElement& element = mesh_.element(e);
-    const double orientation = flat_orientation(nodes_, element);
-    const Corners corners = corners_of(nodes_, element);
+  for (const StarElement& element : star_.elements()) {
+    const double orientation = flat_orientation(element.places);
+    const CornerShapes corners = shapes_of(element.places);
     state.worst = std::min(state.worst, orientation > 0 ? corners.worst : orientation - 1);
     if (orientation <= 0) state.cost += 20 * (1 - orientation);
-    if (aim == MotionAim::flat && is_quad(element)) state.cost += warpage_cost(nodes_, element);
-    if (aim == MotionAim::even && corners.evenness < evenness_aim)
-      state.cost += 40 * square(evenness_aim - corners.evenness);
+    if (aim == MotionAim::flat && corners.count == 4) state.cost += warpage_cost(element.places);
+    if (aim == MotionAim::even) state.cost += 40 * square(std::max(0.0, evenness_aim - corners.evenness()));
     if (aim == MotionAim::flat) state.cost += failing_cost(corners, limits_.size);
     for (int i = 0; i < corners.count; ++i) {
       const double t = square(1 - corners.jacobian[i]);
@@ -163,7 +117,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
       // Seen from the surface alone, skew costs nothing: rows would run zigzag.
       if (near_surface) state.cost += 1 - corners.jacobian[i];
       if (corners.jacobian[i] < limits_.aim) state.cost += 40 * square(limits_.aim - corners.jacobian[i]);
-      if (!is_own_side(element, i, node)) continue;
+      if (!element.is_own[i]) continue;
       const double side = corners.side[i];
       if (side < soft) state.cost += 0.5 * square((soft - side) / width);
       if (side < limits_.min_edge) {
@@ -174,7 +128,7 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
       if (side > long_side) state.cost += 0.5 * square((side - long_side) / limits_.size);
     }
   }
-  if (near_surface) add_deviations(node, aim, state);
+  if (near_surface) add_deviations(aim, state);
   return state;
 }
 
@@ -182,60 +136,60 @@ NodeMotion::State NodeMotion::measure(Index node, MotionAim aim) const {
 /// weights. The flat point of a place on an element is near that place's nearest surface point: what counts
 /// is the distance along the element's normal.
 template <class Visit>
-void NodeMotion::visit_deviations(Index node, Visit visit) const {
-  along_edges_.clear();
-  for (const Index e : mesh_.star(node)) {
-    const MeshElement& element = mesh_.element(e);
-    const int count = corner_count(element), at = corner_of(element, node);
+void NodeMotion::visit_deviations(Visit visit) const {
+  along_edges_.resize(star_.edge_count());
+  for (const StarElement& element : star_.elements()) {
+    const int count = element.places.count;
     Vec2 flat[4], flat_sum;
     Vec3 space[4], space_sum;
     for (int i = 0; i < count; ++i) {
-      flat[i] = nodes_.flat(element[(at + i) % count]), flat_sum += flat[i];
-      space[i] = nodes_.space(element[(at + i) % count]), space_sum += space[i];
+      const int corner = (element.at + i) % count;
+      flat[i] = element.places.flat[corner], flat_sum += flat[i];
+      space[i] = element.places.space(corner), space_sum += space[i];
     }
     const Vec3 normal = normalized(cross(space[1] - space[0], space[count - 1] - space[0]));
     const auto add = [&](const Vec3& on_surface, const Vec3& on_element, double weight) {
       visit(std::abs(dot(on_surface - on_element, normal)), weight);
     };
-    for (const int k : {1, count - 1}) {
-      const bool is_crest = lines_.on_crest(node) && lines_.on_crest(element[(at + k) % count]);
-      const std::array<Vec3, 2> surface = surface_along(node, e, k);
+    for (const int side : {0, 1}) {
+      const StarElement::Edge& edge = element.edges[side];
+      const int k = side == 0 ? 1 : count - 1;
+      std::array<Vec3, 2>& surface = along_edges_[edge.number];
+      if (edge.is_first) surface = surface_along(element, side, flat[0], flat[k]);
       for (size_t i = 0; i < places_on_edge.size(); ++i)
-        add(surface[i], lerp(space[0], space[k], places_on_edge[i]), is_crest ? crest_weight : 0.5);
+        add(surface[i], lerp(space[0], space[k], places_on_edge[i]), edge.is_crest ? crest_weight : 0.5);
     }
-    add(surface_at(flat_sum / count, e, places_of_element - 1), space_sum / count, 1.0);
+    add(surface_at(flat_sum / count, element.element, places_of_element - 1), space_sum / count, 1.0);
   }
+}
+
+void NodeMotion::prepare_for_surface() {
+  facet_hints_->assign(static_cast<size_t>(mesh_.element_count()) * places_of_element, no_index);
 }
 
 /// A place moves little from one look to the next: the search starts where it ended before.
 Vec3 NodeMotion::surface_at(Vec2 flat, Index element, int slot) const {
-  const size_t at = static_cast<size_t>(element) * places_of_element + slot;
-  if (at >= facet_hints_.size())
-    facet_hints_.resize(static_cast<size_t>(mesh_.element_count()) * places_of_element, no_index);
-  if (facet_hints_[at] == no_index) facet_hints_[at] = nodes_[mesh_.element(element)[0]].triangle;
-  const SurfacePlace place = nodes_.place(flat, facet_hints_[at]);
-  facet_hints_[at] = place.triangle;
+  Index& hint = (*facet_hints_)[static_cast<size_t>(element) * places_of_element + slot];
+  if (hint == no_index) hint = nodes_[mesh_.element(element)[0]].triangle;
+  const SurfacePlace place = nodes_.place(flat, hint);
+  hint = place.triangle;
   return place.space;
 }
 
-/// Surface at the places of the edge from the node to the corner of the element that lies `step` further.
-std::array<Vec3, 2> NodeMotion::surface_along(Index node, Index e, int step) const {
-  const MeshElement& element = mesh_.element(e);
-  const int count = corner_count(element), at = corner_of(element, node);
-  const Index end = element[(at + step) % count];
-  for (const AlongEdge& known : along_edges_)
-    if (known.end == end) return known.surface;
-  const int edge = step == 1 ? at : (at + step) % count, turned = step == 1 ? 0 : 1;
-  AlongEdge fresh{end, {}};
+/// Surface at the places of an edge of the element: the one that leaves the node (side 0), or the one that
+/// arrives.
+std::array<Vec3, 2> NodeMotion::surface_along(const StarElement& element, int side, Vec2 node,
+                                              Vec2 end) const {
+  const int count = element.places.count;
+  const int edge = side == 0 ? element.at : (element.at + count - 1) % count;
+  std::array<Vec3, 2> surface;
   for (int i = 0; i < 2; ++i)
-    fresh.surface[i] =
-        surface_at(lerp(nodes_.flat(node), nodes_.flat(end), places_on_edge[i]), e, 2 * edge + (i ^ turned));
-  along_edges_.push_back(fresh);
-  return fresh.surface;
+    surface[i] = surface_at(lerp(node, end, places_on_edge[i]), element.element, 2 * edge + (i ^ side));
+  return surface;
 }
 
-void NodeMotion::add_deviations(Index node, MotionAim aim, State& state) const {
-  visit_deviations(node, [&](double deviation, double weight) {
+void NodeMotion::add_deviations(MotionAim aim, State& state) const {
+  visit_deviations([&](double deviation, double weight) {
     state.cost += 0.4 * weight * square(square(deviation / (surface_share * limits_.size)));
     if (aim == MotionAim::flat && weight == crest_weight)
       state.cost += crest_wall * square(std::max(0.0, deviation / (crest_share * limits_.size) - 1));
@@ -244,14 +198,15 @@ void NodeMotion::add_deviations(Index node, MotionAim aim, State& state) const {
 }
 
 double NodeMotion::deviation(Index node) const {
+  gather(node, MotionAim::surface);
   double largest = 0;
-  visit_deviations(node, [&](double deviation, double) { largest = std::max(largest, deviation); });
+  visit_deviations([&](double deviation, double) { largest = std::max(largest, deviation); });
   return largest;
 }
 
-double NodeMotion::cost_at(Index node, const SurfacePlace& place, MotionAim aim) {
-  nodes_.set(node, place);
-  return measure(node, aim).cost;
+double NodeMotion::cost_at(const SurfacePlace& place, MotionAim aim) {
+  star_.move_to(place);
+  return measure(aim).cost;
 }
 
 /// Scaled Jacobian above which a step may make elements worse. Far from the surface, shape gives way.
@@ -267,15 +222,15 @@ double NodeMotion::floor_of(const State& before, MotionAim aim) const {
 /// Guards: no new or greater shortage of edges, no worse element below the floor, and a gain (a variational
 /// step need not gain).
 bool NodeMotion::keep_if_better(Index node, const SurfacePlace& place, const State& before, MotionAim aim) {
-  const SurfacePlace old = nodes_[node];
-  nodes_.set(node, place);
-  const State after = measure(node, aim);
+  star_.move_to(place);
+  const State after = measure(aim);
   const double floor = floor_of(before, aim);
   const bool kept = after.cost < before.cost * (1 - 1e-7) && after.shortage <= before.shortage &&
                     after.worst >= std::min(before.worst, floor);
-  if (!kept) nodes_.set(node, old);
-  if (kept) last_step_ = distance(old.flat, place.flat);
-  return kept;
+  if (!kept) return false;
+  last_step_ = distance(nodes_[node].flat, place.flat);
+  nodes_.set(node, place);
+  return true;
 }
 
 bool NodeMotion::untangle(Index node) {
@@ -383,7 +338,8 @@ bool NodeMotion::relax(Index node) {
     const double shift = lines_.shift_to_middle(node);
     const SurfacePlace middle = nodes_.place(lines_.shifted(node, shift), old.triangle);
     if (std::abs(shift) < 1e-3 * limits_.size) return false;
-    if (!keep_if_better(node, middle, measure(node, MotionAim::mean), MotionAim::mean)) return false;
+    gather(node, MotionAim::mean);
+    if (!keep_if_better(node, middle, measure(MotionAim::mean), MotionAim::mean)) return false;
     lines_.slide(node, shift);
     return true;
   }
@@ -396,8 +352,8 @@ bool NodeMotion::relax(Index node) {
     target = isoparametric(sides_, diagonals_);
   if (!std::isfinite(target.x) || !std::isfinite(target.y)) return false;
   if (distance(target, old.flat) < 1e-3 * limits_.size) return false;
-  return keep_if_better(node, nodes_.place(target, old.triangle), measure(node, MotionAim::mean),
-                        MotionAim::mean);
+  gather(node, MotionAim::mean);
+  return keep_if_better(node, nodes_.place(target, old.triangle), measure(MotionAim::mean), MotionAim::mean);
 }
 
 bool NodeMotion::optimise(Index node, MotionAim aim) {
@@ -407,13 +363,13 @@ bool NodeMotion::optimise(Index node, MotionAim aim) {
 
 bool NodeMotion::optimise_free(Index node, MotionAim aim) {
   const SurfacePlace old = nodes_[node];
-  const State before = measure(node, aim);
+  gather(node, aim);
+  const State before = measure(aim);
   const double h = 0.01 * limits_.size;
   const auto cost = [&](double x, double y) {
-    return cost_at(node, nodes_.place({old.flat.x + x, old.flat.y + y}, old.triangle), aim);
+    return cost_at(nodes_.place({old.flat.x + x, old.flat.y + y}, old.triangle), aim);
   };
   const double right = cost(h, 0), left = cost(-h, 0), up = cost(0, h), down = cost(0, -h), both = cost(h, h);
-  nodes_.set(node, old);
   const double gx = (right - left) / (2 * h), gy = (up - down) / (2 * h);
   double hxx = (right + left - 2 * before.cost) / (h * h), hyy = (up + down - 2 * before.cost) / (h * h);
   const double hxy = (both - right - up + before.cost) / (h * h);
@@ -434,11 +390,11 @@ bool NodeMotion::optimise_free(Index node, MotionAim aim) {
 
 bool NodeMotion::optimise_sliding(Index node, MotionAim aim) {
   const SurfacePlace old = nodes_[node];
-  const State before = measure(node, aim);
+  gather(node, aim);
+  const State before = measure(aim);
   const double h = 0.01 * limits_.size;
   const auto place = [&](double shift) { return nodes_.place(lines_.shifted(node, shift), old.triangle); };
-  const double ahead = cost_at(node, place(h), aim), back = cost_at(node, place(-h), aim);
-  nodes_.set(node, old);
+  const double ahead = cost_at(place(h), aim), back = cost_at(place(-h), aim);
   const double slope = (ahead - back) / (2 * h), bend = (ahead + back - 2 * before.cost) / (h * h);
   double step = bend > 0 ? -slope / bend : (slope > 0 ? -0.1 : 0.1) * limits_.size;
   if (!std::isfinite(step)) return false;

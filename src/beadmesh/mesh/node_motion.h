@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "beadmesh/mesh/node_star.h"
 #include "beadmesh/mesh/quad_connectivity.h"
 #include "beadmesh/mesh/sliding_lines.h"
 #include "beadmesh/mesh/surface_nodes.h"
@@ -30,12 +32,18 @@ double signed_quality(const SurfaceNodes& nodes, const MeshElement& element);
 /// Least over largest determinant at the Gauss points (element_quality.h); 1 for triangles.
 double evenness(const SurfaceNodes& nodes, const MeshElement& element);
 
-/// Moves one node at a time. Keeps references to all it is given.
+/// Moves one node at a time. Keeps references to all it is given. Copies work on the same mesh, each with
+/// scratch memory of its own: nodes without a common element may be moved by several of them at once.
 class NodeMotion {
  public:
   NodeMotion(SurfaceNodes& nodes, const QuadConnectivity& mesh, const std::vector<NodeFreedom>& freedom,
              SlidingLines& lines, const MotionLimits& limits)
-      : nodes_(nodes), mesh_(mesh), freedom_(freedom), lines_(lines), limits_(limits) {}
+      : nodes_(nodes),
+        mesh_(mesh),
+        freedom_(freedom),
+        lines_(lines),
+        limits_(limits),
+        facet_hints_(std::make_shared<std::vector<Index>>()) {}
 
   bool is_movable(Index node) const {
     return freedom_[node] == NodeFreedom::free ||
@@ -59,6 +67,8 @@ class NodeMotion {
   bool relax(Index node);
   /// One Newton step with line search on the shape and edge-length objective.
   bool optimise(Index node, MotionAim aim);
+  /// Makes room for what is remembered about the surface; before the first look at it.
+  void prepare_for_surface();
   /// Distance in the plane that the last successful step covered.
   double last_step() const { return last_step_; }
 
@@ -66,15 +76,15 @@ class NodeMotion {
   struct State {
     double cost = 0, worst = 0, shortage = 0, deviation = 0;
   };
-  bool is_own_side(const MeshElement& element, int side, Index node) const;
-  State measure(Index node, MotionAim aim) const;
-  void add_deviations(Index node, MotionAim aim, State& state) const;
+  void gather(Index node, MotionAim aim) const;
+  State measure(MotionAim aim) const;
+  void add_deviations(MotionAim aim, State& state) const;
   double floor_of(const State& before, MotionAim aim) const;
   template <class Visit>
-  void visit_deviations(Index node, Visit visit) const;
+  void visit_deviations(Visit visit) const;
   Vec3 surface_at(Vec2 flat, Index element, int slot) const;
-  std::array<Vec3, 2> surface_along(Index node, Index element, int step) const;
-  double cost_at(Index node, const SurfacePlace& place, MotionAim aim);
+  std::array<Vec3, 2> surface_along(const StarElement& element, int side, Vec2 node, Vec2 end) const;
+  double cost_at(const SurfacePlace& place, MotionAim aim);
   bool keep_if_better(Index node, const SurfacePlace& place, const State& before, MotionAim aim);
   bool optimise_free(Index node, MotionAim aim);
   bool optimise_sliding(Index node, MotionAim aim);
@@ -91,13 +101,11 @@ class NodeMotion {
   double last_step_ = 0;
   std::vector<Index> sides_, diagonals_;
 
-  /// Places on an edge are looked up once, though two elements share them.
-  struct AlongEdge {
-    Index end;
-    std::array<Vec3, 2> surface;
-  };
-  mutable std::vector<AlongEdge> along_edges_;  ///< of the node looked at
-  mutable std::vector<Index> facet_hints_;      ///< facets where the places of each element were last found
+  mutable NodeStar star_;  ///< of the node looked at
+  /// Places on an edge are looked up once, though two elements share them: per edge of the star.
+  mutable std::vector<std::array<Vec3, 2>> along_edges_;
+  /// Facets where the places of each element were last found.
+  std::shared_ptr<std::vector<Index>> facet_hints_;
 };
 
 }  // namespace beadmesh

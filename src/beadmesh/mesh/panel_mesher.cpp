@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "beadmesh/mesh/chain_counts.h"
@@ -21,6 +22,16 @@ namespace {
 /// Lengths are checked on the facets while meshing, on the exact surface at the end: the difference needs
 /// some room.
 constexpr double min_edge_margin = 1.01;
+
+/// Runs the tasks at once, each thread the largest that is left: a large one begun last would be waited for.
+template <class Task>
+void largest_first(const std::vector<size_t>& sizes, Task task) {
+  std::vector<size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return sizes[a] > sizes[b]; });
+  std::atomic<size_t> next = 0;
+  tbb::parallel_for(size_t(0), sizes.size(), [&](size_t) { task(order[next++]); });
+}
 
 /// The mesh of one face with the way from its nodes to those on the boundary.
 struct FaceMesh {
@@ -87,7 +98,9 @@ class PanelMesher {
     std::vector<size_t> single, shared;
     for (size_t g = 0; g < groups.size(); ++g) (groups[g].size() == 1 ? single : shared).push_back(g);
     std::atomic<int> done = 0;
-    tbb::parallel_for(size_t(0), single.size(), [&](size_t i) {
+    std::vector<size_t> facets;
+    for (size_t g : single) facets.push_back(facet_count(face_of(groups[g][0])));
+    largest_first(facets, [&](size_t i) {
       const Index b = groups[single[i]][0];
       meshes[b] = attempt_bead(b);
       context_.report("beads", double(++done) / double(groups.size()));
@@ -138,6 +151,8 @@ class PanelMesher {
     for (const Chain& chain : chains_.chains) lengths.push_back(chain.length());
     ring_counts_ = counts_of_rings(rings, lengths);
   }
+
+  size_t facet_count(Index face) const { return panel_.faces[face].facets.triangles.size(); }
 
   Index face_of(Index bead) const { return studied_.table.beads[bead].faces[0]; }
 
@@ -268,7 +283,9 @@ class PanelMesher {
   void mesh_faces() {
     std::vector<std::string> reasons(panel_.faces.size());
     std::atomic<int> done = 0;
-    tbb::parallel_for(size_t(0), panel_.faces.size(), [&](size_t f) {
+    std::vector<size_t> facets;
+    for (size_t f = 0; f < panel_.faces.size(); ++f) facets.push_back(facet_count(Index(f)));
+    largest_first(facets, [&](size_t f) {
       if (!face_meshes_[f] && studied_.studies[f] && !context_.is_cancelled())
         reasons[f] = mesh_one_face(Index(f));
       context_.report("sheet", double(++done) / double(panel_.faces.size()));

@@ -73,15 +73,4 @@ std::vector<Index> QuadConnectivity::neighbours(Index node) const {
   return nodes;
 }
 
-int corner_of(const MeshElement& element, Index node) {
-  int i = 0;
-  while (i < 3 && element[i] != node) ++i;
-  return i;
-}
-
-std::pair<Index, Index> corner_neighbours(const MeshElement& element, Index node) {
-  const int count = corner_count(element), i = corner_of(element, node);
-  return {element[(i + 1) % count], element[(i + count - 1) % count]};
-}
-
 }  // namespace beadmesh

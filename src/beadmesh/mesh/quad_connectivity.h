@@ -45,8 +45,15 @@ class QuadConnectivity {
 };
 
 /// Position of `node` among the corners; it must be one.
-int corner_of(const MeshElement& element, Index node);
+inline int corner_of(const MeshElement& element, Index node) {
+  int i = 0;
+  while (i < 3 && element[i] != node) ++i;
+  return i;
+}
 /// Corners after and before `node`.
-std::pair<Index, Index> corner_neighbours(const MeshElement& element, Index node);
+inline std::pair<Index, Index> corner_neighbours(const MeshElement& element, Index node) {
+  const int last = corner_count(element) - 1, i = corner_of(element, node);
+  return {element[i == last ? 0 : i + 1], element[i == 0 ? last : i - 1]};
+}
 
 }  // namespace beadmesh

@@ -1,7 +1,10 @@
 #include "beadmesh/mesh/shape_repair.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -34,6 +37,9 @@ constexpr int fewest_zones = 40, share_of_elements = 100;
 constexpr double evenness_offset = 0.03;
 /// Sides longer than this many sizes fail.
 constexpr double longest_side = 2;
+
+/// Zones that share no element are looked at at once, at most so many.
+constexpr size_t most_at_once = 4;
 
 /// Angles first, by all that can be tried; then, in small zones, what else fails.
 enum class Aim { shape, all };
@@ -96,10 +102,17 @@ class ShapeRepair {
   /// One round; counts what it tries in vain in `failed`.
   int run(int& failed) {
     int exchanged = 0;
-    for (const Index e : poor_elements()) {
-      if (failed >= most_failures || (aim_ == Aim::all && budget_ <= 0)) break;
-      if (!connectivity_.is_alive(e) || shape_of(e) >= options_.wanted || is_near_given(e)) continue;
-      ++(repair(e) ? exchanged : failed);
+    std::vector<Index> waiting = poor_elements();
+    while (!waiting.empty() && !is_enough(failed)) {
+      const std::vector<Index> seeds = next_seeds(waiting, most_failures - failed);
+      std::vector<Repair> repairs(seeds.size());
+      tbb::parallel_for(size_t(0), seeds.size(), [&](size_t i) { repairs[i] = repair(seeds[i]); });
+      for (const Repair& one : repairs) {
+        if (is_enough(failed)) break;
+        budget_ -= one.tried;
+        if (one.best) exchange(*one.best);
+        ++(one.best ? exchanged : failed);
+      }
     }
     std::vector<Index> number;
     if (exchanged > 0) mesh_ = living_part(connectivity_, mesh_.nodes, mesh_.freedom, number);
@@ -109,7 +122,46 @@ class ShapeRepair {
  private:
   struct Worth {
     double worst = 1, shortest = 1e300, score = 0;
+    int irregular = 0;
   };
+
+  struct Candidate {
+    std::vector<Index> elements;
+    std::vector<Index> original;
+    PlanarMesh mesh;
+    Worth worth;
+  };
+
+  /// What came out of one seed.
+  struct Repair {
+    std::optional<Candidate> best;
+    long tried = 0;  ///< elements, over all attempts
+  };
+
+  bool is_enough(int failed) const { return failed >= most_failures || (aim_ == Aim::all && budget_ <= 0); }
+
+  /// The first that are still poor and whose largest zones share no element; those that have to wait for them
+  /// stay in `waiting`.
+  std::vector<Index> next_seeds(std::vector<Index>& waiting, int most) const {
+    std::vector<Index> seeds, later;
+    std::set<Index> taken;
+    size_t looked_at = 0;
+    for (; looked_at < waiting.size() && seeds.size() < std::min<size_t>(most, most_at_once); ++looked_at) {
+      const Index e = waiting[looked_at];
+      if (!connectivity_.is_alive(e) || shape_of(e) >= options_.wanted || is_near_given(e)) continue;
+      const std::vector<Index> zone = elements_within(connectivity_, e, largest_rings());
+      if (std::any_of(zone.begin(), zone.end(), [&](Index other) { return taken.count(other) > 0; }))
+        later.push_back(e);
+      else
+        seeds.push_back(e);
+      taken.insert(zone.begin(), zone.end());
+    }
+    later.insert(later.end(), waiting.begin() + static_cast<std::ptrdiff_t>(looked_at), waiting.end());
+    waiting = std::move(later);
+    return seeds;
+  }
+
+  int largest_rings() const { return aim_ == Aim::all ? most_rings_uneven : most_rings; }
 
   /// A boundary with edges under the minimum, or a face narrower than that, is given: no mesh inside makes it
   /// better.
@@ -158,7 +210,7 @@ class ShapeRepair {
     const SurfaceNodes nodes(zone.nodes, map_);
     Worth worth;
     std::vector<int> valence(zone.nodes.size(), 0);
-    int triangles = 0, irregular = 0;
+    int triangles = 0;
     for (const MeshElement& e : zone.elements) {
       worth.worst = std::min(worth.worst, standing(nodes, zone.freedom, e, options_, aim_));
       triangles += !is_quad(e);
@@ -169,28 +221,26 @@ class ShapeRepair {
       }
     }
     for (size_t n = 0; n < zone.nodes.size(); ++n)
-      irregular += zone.freedom[n] == NodeFreedom::free && valence[n] != 4;
-    worth.score =
-        std::min(worth.worst, options_.wanted + 0.1) - irregular_cost * irregular - triangle_cost * triangles;
+      worth.irregular += zone.freedom[n] == NodeFreedom::free && valence[n] != 4;
+    worth.score = std::min(worth.worst, options_.wanted + 0.1) - irregular_cost * worth.irregular -
+                  triangle_cost * triangles;
     return worth;
   }
 
-  /// All that is tried on one zone; the better of what came before and this is kept in `best`.
-  void polish(PlanarMesh zone, const Worth& before, std::optional<PlanarMesh>& best, Worth& best_worth) {
-    budget_ -= static_cast<long>(zone.elements.size());
+  /// All that is tried on one zone; nothing where it is not clearly better than before.
+  std::optional<Candidate> polished(PlanarMesh zone, const Worth& before) const {
     SmoothingOptions smoothing{options_.size, options_.min_edge};
     if (aim_ == Aim::shape) smoothing.aim = SmoothingOptions::Aim::angles;
     smooth(zone, map_, smoothing);
     clean_up(zone, map_, {}, {options_.size, options_.min_edge});
     smooth(zone, map_, smoothing);
-    relieve_flat_corners(zone, map_, {options_.size, options_.min_edge, flat_corner});
+    if (worth_of(zone).worst < options_.wanted)
+      relieve_flat_corners(zone, map_, {options_.size, options_.min_edge, flat_corner});
     const Worth worth = worth_of(zone);
     const double shortest = std::min(before.shortest, options_.min_edge);
-    if (worth.shortest < shortest || worth.worst < before.worst + clear_gain ||
-        worth.score <= best_worth.score)
-      return;
-    best_worth = worth;
-    best = std::move(zone);
+    if (worth.shortest < shortest || worth.worst < before.worst + clear_gain || worth.score <= before.score)
+      return std::nullopt;
+    return Candidate{{}, {}, std::move(zone), worth};
   }
 
   /// The zone with the elements in `inside` (numbers in it) replaced by loop splitting.
@@ -233,45 +283,58 @@ class ShapeRepair {
     return false;
   }
 
-  struct Candidate {
-    std::vector<Index> elements;
-    std::vector<Index> original;
-    PlanarMesh mesh;
-    double worst = 0;
-  };
+  /// The zone's elements without those within so many rings of the seed, which are meshed anew; the zone
+  /// itself for none.
+  std::optional<PlanarMesh> start(const Zone& zone, Index seed, const std::vector<Index>& elements,
+                                  int inner) const {
+    if (inner == 0) return zone.mesh;
+    const std::vector<Index> core = elements_within(connectivity_, seed, inner);
+    if (core.size() == elements.size()) return std::nullopt;
+    std::vector<bool> inside;
+    for (const Index e : elements) inside.push_back(std::binary_search(core.begin(), core.end(), e));
+    return meshed_anew(zone.mesh, inside);
+  }
 
   /// The best that can be made of the elements within so many rings; nothing where it is not clearly better.
-  std::optional<Candidate> best_zone(Index seed, const std::vector<Index>& elements, int rings) {
+  std::optional<Candidate> best_zone(Index seed, const std::vector<Index>& elements, int rings,
+                                     long& tried) const {
     Zone zone = zone_of(mesh_, connectivity_, elements);
     const Worth before = worth_of(zone.mesh);
-    Worth worth = before;
-    std::optional<PlanarMesh> best;
-    polish(zone.mesh, before, best, worth);
-    for (int inner = 1; inner < rings; ++inner) {
-      const std::vector<Index> core = elements_within(connectivity_, seed, inner);
-      if (core.size() == elements.size()) break;
-      std::vector<bool> inside;
-      for (const Index e : elements) inside.push_back(std::binary_search(core.begin(), core.end(), e));
-      if (auto anew = meshed_anew(zone.mesh, inside)) polish(std::move(*anew), before, best, worth);
-    }
-    if (!best) return std::nullopt;
-    return Candidate{elements, std::move(zone.original), std::move(*best), worth.worst};
+    std::vector<std::optional<Candidate>> candidates(rings);
+    std::vector<long> sizes(rings, 0);
+    const auto attempt = [&](int inner) {
+      auto mesh = start(zone, seed, elements, inner);
+      if (!mesh) return;
+      sizes[inner] = static_cast<long>(mesh->elements.size());
+      candidates[inner] = polished(std::move(*mesh), before);
+    };
+    attempt(0);
+    // Movement and edits alone are enough where they make the zone sound and no less regular.
+    const bool is_sound = candidates[0] && candidates[0]->worth.worst >= options_.wanted &&
+                          candidates[0]->worth.irregular <= before.irregular;
+    if (!is_sound) tbb::parallel_for(1, rings, attempt);
+    tried = std::accumulate(sizes.begin(), sizes.end(), tried);
+    std::optional<Candidate> best;
+    for (auto& candidate : candidates)
+      if (candidate && (!best || candidate->worth.score > best->worth.score)) best = std::move(candidate);
+    if (best) best->elements = elements, best->original = std::move(zone.original);
+    return best;
   }
 
   /// Larger zones only where none smaller comes right.
-  bool repair(Index seed) {
-    std::optional<Candidate> best;
+  Repair repair(Index seed) const {
+    Repair out;
     size_t before = 0;
-    const int largest = aim_ == Aim::all ? most_rings_uneven : most_rings;
-    for (int rings = fewest_rings; rings <= largest && (!best || best->worst < options_.wanted); ++rings) {
+    for (int rings = fewest_rings;
+         rings <= largest_rings() && (!out.best || out.best->worth.worst < options_.wanted); ++rings) {
       const std::vector<Index> elements = elements_within(connectivity_, seed, rings);
       if (elements.size() == before) break;  // the whole mesh
       before = elements.size();
-      auto candidate = best_zone(seed, elements, rings);
-      if (candidate && (!best || candidate->worst > best->worst)) best = std::move(candidate);
+      auto candidate = best_zone(seed, elements, rings, out.tried);
+      if (candidate && (!out.best || candidate->worth.worst > out.best->worth.worst))
+        out.best = std::move(candidate);
     }
-    if (best) exchange(*best);
-    return best.has_value();
+    return out;
   }
 
   void exchange(const Candidate& better) {

@@ -1,6 +1,12 @@
 #include "beadmesh/mesh/smoothing.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <limits>
 
 #include "beadmesh/mesh/joint_motion.h"
 #include "beadmesh/mesh/node_motion.h"
@@ -25,6 +31,27 @@ constexpr double surface_share = 0.08, crest_share = 0.02;
 /// Scaled Jacobian under the floor that is given up for them where nothing else helps, and where that ends.
 constexpr double shape_given_up = 0.055, least_shape = 0.65;
 
+/// So many nodes and more are moved colour by colour, several at once; so many make a task.
+constexpr size_t many_nodes = 1500, nodes_of_task = 48;
+
+/// Colours such that nodes with a common element differ: those of one colour do not see each other move.
+std::vector<Index> coloured(const QuadConnectivity& mesh) {
+  std::vector<Index> colours(mesh.node_count(), no_index);
+  std::vector<bool> taken;
+  for (Index node = 0; node < mesh.node_count(); ++node) {
+    taken.assign(taken.size(), false);
+    for (const Index e : mesh.star(node))
+      for (int i = 0; i < corner_count(mesh.element(e)); ++i) {
+        const Index colour = colours[mesh.element(e)[i]];
+        if (colour == no_index) continue;
+        if (colour >= Index(taken.size())) taken.resize(colour + 1, false);
+        taken[colour] = true;
+      }
+    colours[node] = Index(std::find(taken.begin(), taken.end(), false) - taken.begin());
+  }
+  return colours;
+}
+
 /// Shape and edge length of the whole mesh, one stage of node movements after the other.
 class Smoother {
  public:
@@ -37,18 +64,21 @@ class Smoother {
         lines_(lines, mesh.freedom),
         motion_(nodes_, connectivity_, mesh.freedom, lines_,
                 {options.size, options.min_edge * min_edge_margin, 0.7, options.flat_floor,
-                 options.surface_passes > 0 ? regular_jacobian : 0}) {}
+                 options.surface_passes > 0 ? regular_jacobian : 0}) {
+    if (options.surface_passes > 0) motion_.prepare_for_surface();
+  }
 
   SmoothingReport run() {
     untangle();
-    sweep(all_nodes(), options_.variational_passes, 1.0, [&](Index node) { return motion_.relax(node); });
+    sweep(all_nodes(), options_.variational_passes, 1.0,
+          [](NodeMotion& motion, Index node) { return motion.relax(node); });
     sweep(all_nodes(), options_.optimisation_passes, 0.97,
-          [&](Index node) { return motion_.optimise(node, MotionAim::mean); });
+          [](NodeMotion& motion, Index node) { return motion.optimise(node, MotionAim::mean); });
     improve_worst(0.75);
     if (options_.aim == SmoothingOptions::Aim::angles_and_evenness) even_out();
     lengthen_short_edges();
-    const bool given_up = options_.surface_passes > 0 && worst() < options_.hopeless;
-    if (options_.surface_passes > 0 && !given_up) near_surface();
+    bool given_up = false;
+    if (options_.surface_passes > 0) given_up = worst() < options_.hopeless || !near_surface();
     for (size_t node = 0; node < mesh_.nodes.size(); ++node)
       mesh_.nodes[node] = nodes_.flat(static_cast<Index>(node));
     SmoothingReport result = report();
@@ -91,20 +121,53 @@ class Smoother {
     return movable(marked);
   }
 
-  /// Gauss-Seidel in the order of the node numbers. After a pass only what moved, and its neighbours, are
-  /// visited again.
+  /// After a pass only what moved, and its neighbours, are visited again.
   template <class Move>
   void sweep(std::vector<Index> active, int passes, double good_enough, Move move) {
     const double still = 5e-3 * options_.size;
-    for (int pass = 0; pass < passes && !active.empty(); ++pass) {
-      std::vector<Index> moved;
-      for (const Index node : active) {
-        if (good_enough < 1 && motion_.worst_around(node) > good_enough && motion_.shortfall(node) <= 0)
-          continue;
-        if (move(node) && motion_.last_step() > still) moved.push_back(node);
+    const auto visit = [&](NodeMotion& motion, Index node) {
+      if (good_enough < 1 && motion.worst_around(node) > good_enough && motion.shortfall(node) <= 0)
+        return false;
+      return move(motion, node) && motion.last_step() > still;
+    };
+    for (int pass = 0; pass < passes && !active.empty(); ++pass) active = widened(moved_by(active, visit));
+  }
+
+  /// Gauss-Seidel in the order of the node numbers; for many nodes colour by colour, so that the result is
+  /// the same on any number of threads. Returns those for which `visit` is true, in the order in which they
+  /// were visited.
+  template <class Visit>
+  std::vector<Index> moved_by(std::vector<Index> nodes, Visit visit) {
+    std::vector<char> has_moved(nodes.size(), 0);
+    if (nodes.size() < many_nodes) {
+      for (size_t i = 0; i < nodes.size(); ++i) has_moved[i] = visit(motion_, nodes[i]);
+    } else {
+      if (colours_.empty()) colours_ = coloured(connectivity_);
+      std::stable_sort(nodes.begin(), nodes.end(),
+                       [&](Index a, Index b) { return colours_[a] < colours_[b]; });
+      for (size_t begin = 0, end = 0; begin < nodes.size(); begin = end) {
+        while (end < nodes.size() && colours_[nodes[end]] == colours_[nodes[begin]]) ++end;
+        visit_at_once(nodes, begin, end, visit, has_moved);
       }
-      active = widened(moved);
     }
+    std::vector<Index> moved;
+    for (size_t i = 0; i < nodes.size(); ++i)
+      if (has_moved[i]) moved.push_back(nodes[i]);
+    return moved;
+  }
+
+  /// Isolated: a thread that waits for the others must not begin another face meanwhile.
+  template <class Visit>
+  void visit_at_once(const std::vector<Index>& nodes, size_t begin, size_t end, const Visit& visit,
+                     std::vector<char>& has_moved) {
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(tbb::blocked_range<size_t>(begin, end, nodes_of_task),
+                        [&](const tbb::blocked_range<size_t>& range) {
+                          NodeMotion& motion = motions_.local();
+                          for (size_t i = range.begin(); i < range.end(); ++i)
+                            has_moved[i] = visit(motion, nodes[i]);
+                        });
+    });
   }
 
   /// Rounds over the nodes of elements that are turned over; the circle of nodes widens while they do not
@@ -121,7 +184,7 @@ class Smoother {
 
   void improve_worst(double below) {
     sweep(nodes_of_worst(below), options_.optimisation_passes, below,
-          [&](Index node) { return motion_.optimise(node, MotionAim::worst); });
+          [](NodeMotion& motion, Index node) { return motion.optimise(node, MotionAim::worst); });
   }
 
   /// Uneven elements fail where the others do not care; what moves to help them keeps its shape.
@@ -131,24 +194,19 @@ class Smoother {
       if (evenness(nodes_, element) < least_evenness)
         for (int i = 0; i < corner_count(element); ++i) marked[element[i]] = true;
     std::vector<Index> active = widened(movable(marked));
-    const double still = 5e-3 * options_.size;
-    for (int pass = 0; pass < options_.optimisation_passes && !active.empty(); ++pass) {
-      std::vector<Index> moved;
-      for (const Index node : active)
-        if (motion_.evenness_around(node) < good_evenness && motion_.optimise(node, MotionAim::even) &&
-            motion_.last_step() > still)
-          moved.push_back(node);
-      active = widened(moved);
-    }
+    sweep(active, options_.optimisation_passes, 1.0, [](NodeMotion& motion, Index node) {
+      return motion.evenness_around(node) < good_evenness && motion.optimise(node, MotionAim::even);
+    });
   }
 
-  /// Shape and distance first, then warpage is taken away from what has both.
-  void near_surface() {
+  /// Shape and distance first, then warpage is taken away from what has both. False where it is given up.
+  bool near_surface() {
     const auto approach = [&](MotionAim aim) {
       sweep(all_nodes(), options_.surface_passes, 1.0,
-            [&](Index node) { return motion_.optimise(node, aim); });
+            [aim](NodeMotion& motion, Index node) { return motion.optimise(node, aim); });
     };
     approach(MotionAim::surface);
+    if (worst() < options_.hopeless_when_near) return false;
     improve_worst(regular_jacobian);
     approach(MotionAim::surface);
     approach(MotionAim::flat);
@@ -158,14 +216,25 @@ class Smoother {
       move_jointly(nodes_, connectivity_, mesh_.freedom, lines_,
                    {options_.size, options_.min_edge * 1.001, shape, surface_share * options_.size,
                     crest_share * options_.size});
+    return true;
   }
 
+  /// The circle of nodes around them widens while they stay short; where a whole turn of rounds brings next
+  /// to nothing, they are as long as there is room for.
   void lengthen_short_edges() {
+    constexpr int turn = 4;
+    double missing_before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 25; ++round) {
       std::vector<Index> nodes = nodes_of_short_edges();
       if (nodes.empty()) return;
+      if (round % turn == 0) {
+        double missing = 0;
+        for (const Index node : nodes) missing += motion_.shortfall(node);
+        if (missing > 0.95 * missing_before) return;
+        missing_before = missing;
+      }
       bool moved = false;
-      for (int ring = 0; ring <= std::min(round / 4, 3); ++ring) {
+      for (int ring = 0; ring <= std::min(round / turn, 3); ++ring) {
         for (const Index node : nodes) moved |= motion_.optimise(node, MotionAim::edges);
         nodes = widened(nodes);
       }
@@ -225,6 +294,8 @@ class Smoother {
   QuadConnectivity connectivity_;
   SlidingLines lines_;
   NodeMotion motion_;
+  tbb::enumerable_thread_specific<NodeMotion> motions_{[this] { return motion_; }};
+  std::vector<Index> colours_;
 };
 
 }  // namespace

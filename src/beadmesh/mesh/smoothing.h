@@ -20,13 +20,15 @@ struct SmoothingOptions {
   double flat_floor = 0.858;  ///< default 0.858: scaled Jacobian that is given up for less warpage
   /// Default: evenness counts as well. Where the worst shape is what is looked for, angles alone.
   enum class Aim { angles_and_evenness, angles } aim = Aim::angles_and_evenness;
+  double hopeless_when_near =
+      -2;  ///< default -2 = never: the same as `hopeless`, after the first surface passes
 };
 
 struct SmoothingReport {
   double scaled_jacobian_min = 0, scaled_jacobian_mean = 0;  ///< on the surface
   int inverted = 0;
   int edges_below_min = 0;
-  bool given_up = false;  ///< shape under SmoothingOptions::hopeless
+  bool given_up = false;  ///< shape under SmoothingOptions::hopeless or hopeless_when_near
   double deviation = 0;   ///< largest distance seen between elements and surface; 0 without surface passes
 };
 
