@@ -112,6 +112,21 @@ double distance_between(const Feature& a, const Feature& b) {
   return cross_each_other(of_a, to_b) ? 0 : std::max(least, 0.0);
 }
 
+constexpr double own_clearance = 5;  // mm, between the arms of one feature
+
+/// Ends of a bent bead may come near its own side, nearer than any element could be.
+bool keeps_clear_of_itself(const Feature& feature) {
+  const PlanLoop loop = feature.loops().front();
+  const BoundaryDistance inside({loop});
+  const std::vector<Vec2> points = sampled(loop);
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 along = normalized(points[(i + 1) % n] - points[(i + n - 1) % n]);
+    if (inside(points[i] + Vec2{along.y, -along.x} * own_clearance) > 0) return false;
+  }
+  return true;
+}
+
 class RandomPanel {
  public:
   explicit RandomPanel(const RandomPanelOptions& options) : chance_(options.seed) {
@@ -162,6 +177,7 @@ class RandomPanel {
       Group group = make();
       const Vec2 room = Vec2{panel_.length, panel_.width} - group.box.size();
       if (room.x <= 2 * clearance || room.y <= 2 * clearance) continue;
+      if (!keeps_clear_of_itself(group.outermost())) continue;
       for (int attempt = 0; attempt < 40; ++attempt) {
         group.move_to({chance_.between(-panel_.length, panel_.length) / 2,
                        chance_.between(-panel_.width, panel_.width) / 2});

@@ -94,6 +94,22 @@ TEST(RandomPanel, KeepsClearAndWithinItsLimits) {
   EXPECT_TRUE(shapes.count("hole") && shapes.count("slot"));
 }
 
+TEST(RandomPanel, ArmsOfOneFeatureKeepClear) {
+  // Had a G of 9 mm width whose end came to 2.25 mm from its own side.
+  const PanelDesign panel =
+      random_panel({.seed = 56, .beads = 12, .base = BaseKind::saddle, .length = 293.9, .width = 229.2});
+  for (const Feature& feature : panel.features) {
+    const PlanLoop loop = feature.loops().front();
+    const BoundaryDistance inside({loop});
+    const std::vector<Vec2> points = sampled(loop);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 along =
+          normalized(points[(i + 1) % points.size()] - points[(i + points.size() - 1) % points.size()]);
+      EXPECT_LE(inside(points[i] + Vec2{along.y, -along.x} * 4.5), 0) << feature.shape;
+    }
+  }
+}
+
 TEST(RandomPanel, BaseIsAsAsked) {
   EXPECT_TRUE(random_panel({.seed = 1, .base = BaseKind::flat}).base.is_flat());
   EXPECT_GT(random_panel({.seed = 1, .base = BaseKind::cylinder}).base.radius, 0);

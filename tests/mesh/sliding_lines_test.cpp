@@ -67,5 +67,15 @@ TEST(SlidingLines, KnowsTheNodesOfCrests) {
   EXPECT_FALSE(lines.on_crest(3));
 }
 
+TEST(SlidingLines, KnowsTheNeighboursOfTips) {
+  const SlidingLines crest({line_through({0, 1, 2, 3, 4}, row)}, all_sliding);
+  EXPECT_TRUE(crest.next_to_tip(1));
+  EXPECT_TRUE(crest.next_to_tip(3));
+  for (const Index n : {0, 2, 4}) EXPECT_FALSE(crest.next_to_tip(n));
+  SlidingLine boundary = line_through({0, 1, 2}, row);
+  boundary.is_crest = false;
+  EXPECT_FALSE(SlidingLines({boundary}, all_sliding).next_to_tip(1));
+}
+
 }  // namespace
 }  // namespace beadmesh

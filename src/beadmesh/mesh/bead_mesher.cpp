@@ -49,7 +49,7 @@ constexpr double most_gain_when_near = 0.05;
 /// Distance between a section of the bead and the elements across it, as a share of the size.
 constexpr double acceptable_deviation = 0.08;
 /// What a bead loses in score for each size that it lies further from the surface.
-constexpr double deviation_cost = 4;
+constexpr double deviation_cost = 5;
 constexpr int most_across = 12;
 /// Two rows around the core follow a wall; the core needs two elements more.
 constexpr int least_across_of_two_bands = 6;

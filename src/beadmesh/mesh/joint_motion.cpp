@@ -190,9 +190,10 @@ class JointMotion {
     return out;
   }
 
+  /// The node next to a tip stays on the edge of the dome: further in, the last edge would cut that corner.
   bool is_movable(Index node) const {
     return freedom_[node] == NodeFreedom::free ||
-           (freedom_[node] == NodeFreedom::sliding && lines_.slides(node));
+           (freedom_[node] == NodeFreedom::sliding && lines_.slides(node) && !lines_.next_to_tip(node));
   }
 
   /// Everything that one step needs to know.

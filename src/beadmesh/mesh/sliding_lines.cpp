@@ -56,6 +56,14 @@ void SlidingLines::slide(Index node, double shift) {
   lines_[places_[node].line].at[places_[node].position] = moved;
 }
 
+bool SlidingLines::next_to_tip(Index node) const {
+  if (!slides(node)) return false;
+  const auto [l, position] = places_[node];
+  const SlidingLine& line = lines_[l];
+  return line.is_crest && !line.curve.is_closed() &&
+         (position == 1 || position + 2 == Index(line.nodes.size()));
+}
+
 Vec2 SlidingLines::shifted(Index node, double shift) const {
   return lines_[places_[node].line].curve.point_at(clamped(node, shift));
 }

@@ -34,6 +34,8 @@ class SlidingLines {
   /// Moves the node by `shift`.
   void slide(Index node, double shift);
 
+  /// The neighbour of an end of an open crest line.
+  bool next_to_tip(Index node) const;
   bool on_crest(Index node) const { return node < crest_.size() && crest_[node]; }
 
   /// The lines with their nodes' present places.

@@ -27,7 +27,7 @@ constexpr double regular_jacobian = 0.885;
 constexpr double least_evenness = 0.63, good_evenness = 0.68;
 
 /// Distances from the surface, as shares of the size, that are given up for elements that would fail.
-constexpr double surface_share = 0.08, crest_share = 0.02;
+constexpr double surface_share = 0.08, crest_share = 0.016;
 /// Scaled Jacobian under the floor that is given up for them where nothing else helps, and where that ends.
 constexpr double shape_given_up = 0.055, least_shape = 0.65;
 
@@ -219,22 +219,13 @@ class Smoother {
     return true;
   }
 
-  /// The circle of nodes around them widens while they stay short; where a whole turn of rounds brings next
-  /// to nothing, they are as long as there is room for.
+  /// The circle of nodes around them widens while they stay short.
   void lengthen_short_edges() {
-    constexpr int turn = 4;
-    double missing_before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 25; ++round) {
       std::vector<Index> nodes = nodes_of_short_edges();
       if (nodes.empty()) return;
-      if (round % turn == 0) {
-        double missing = 0;
-        for (const Index node : nodes) missing += motion_.shortfall(node);
-        if (missing > 0.95 * missing_before) return;
-        missing_before = missing;
-      }
       bool moved = false;
-      for (int ring = 0; ring <= std::min(round / turn, 3); ++ring) {
+      for (int ring = 0; ring <= std::min(round / 4, 3); ++ring) {
         for (const Index node : nodes) moved |= motion_.optimise(node, MotionAim::edges);
         nodes = widened(nodes);
       }
