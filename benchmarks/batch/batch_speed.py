@@ -29,11 +29,12 @@ BROKEN = {"empty": b"", "words": b"no panel\n", "binary": bytes(range(256)) * 40
 
 
 def make_panels(program, folder, count):
-    """Random panels of one seed each."""
+    """Random panels of one seed each, small ones, as two hundred large ones take a quarter of an hour."""
     folder.mkdir()
     kinds = min(count, 20)  # twenty different ones; the rest are copies under other names
     for i in range(kinds):
-        subprocess.run([program, "random", folder / f"panel_{i:03}.step", "--seed", str(i + 1), "--beads", "2"], check=True,
+        subprocess.run([program, "random", folder / f"panel_{i:03}.step", "--seed", str(i + 1), "--beads", "2",
+                        "--length", "240", "--breadth", "160"], check=True,
                        stdout=subprocess.DEVNULL)
     for i in range(kinds, count):
         shutil.copy(folder / f"panel_{i % kinds:03}.step", folder / f"panel_{i:03}.step")
