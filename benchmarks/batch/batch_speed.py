@@ -29,19 +29,18 @@ BROKEN = {"empty": b"", "words": b"no panel\n", "binary": bytes(range(256)) * 40
 
 
 def make_panels(program, folder, count):
-    """Random panels of one seed each, small ones, as two hundred large ones take a quarter of an hour."""
+    """Random panels of one seed each, small ones: two hundred large ones take a quarter of an hour."""
     folder.mkdir()
     kinds = min(count, 20)  # twenty different ones; the rest are copies under other names
     for i in range(kinds):
-        subprocess.run([program, "random", folder / f"panel_{i:03}.step", "--seed", str(i + 1), "--beads", "2",
-                        "--length", "240", "--breadth", "160"], check=True,
-                       stdout=subprocess.DEVNULL)
+        subprocess.run([program, "random", folder / f"panel_{i:03}.step", "--seed", str(i + 1), "--beads", "1",
+                        "--length", "160", "--breadth", "110"], check=True, stdout=subprocess.DEVNULL)
     for i in range(kinds, count):
         shutil.copy(folder / f"panel_{i % kinds:03}.step", folder / f"panel_{i:03}.step")
 
 
 def command(program, panels, out, jobs):
-    return [program, "batch", panels, "--out", out, "--jobs", str(jobs), "--report", "none"]
+    return [program, "batch", panels, "--out", out, "--jobs", str(jobs), "--report", "none", "--size", "8", "--min-edge", "4"]
 
 
 def batch(program, panels, out, jobs):
@@ -62,7 +61,7 @@ def measure_speed(o, panels, folder):
     many, work, cpu_many = batch(o.beadmesh, panels, folder / "many", o.jobs)
     print(f"{o.panels} panels: 1 worker {one:.1f} s, {o.jobs} workers {many:.1f} s")
     print(f"speed-up {one / many:.2f}; workers at work {work / many:.2f} of {o.jobs}; "
-          f"processor seconds {cpu_one:.1f} with one, {cpu_many:.1f} with {o.jobs}")
+          f"processor seconds {cpu_one:.1f} with one, {cpu_many:.1f} with {o.jobs}", flush=True)
 
 
 def add_broken(panels, folder):

@@ -48,11 +48,15 @@ class PointSpawner {
     return result;
   }
 
+  static bool is_near(Vec3 p) { return squared_norm(p) < farthest * farthest; }
+
   void add_boundary(const std::vector<Index>& polygon) {
     const std::size_t n = polygon.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3 before = nodes_.points[polygon[(i + n - 1) % n]], here = nodes_.points[polygon[i]],
                  after = nodes_.points[polygon[(i + 1) % n]];
+      too_many_ = too_many_ || !is_near(here);
+      if (too_many_) return;
       taken_.insert(here, space_.sizes.at(space_.stretched(nodes_.uv[polygon[i]])));
       guard_segment(polygon[i], polygon[(i + 1) % n]);
       const Vec2 uv = nodes_.uv[polygon[i]];
@@ -101,7 +105,7 @@ class PointSpawner {
     if (!inside_(st)) return {};
     const double size = space_.sizes.at(st);
     const SurfaceFrame frame = frame_at(surface_, uv);
-    if (!(squared_norm(frame.point) < farthest * farthest)) return {};
+    if (!is_near(frame.point)) return {};
     if (!taken_.is_free(frame.point, clearance * std::min(size, step), size)) return {};
     return Spawner{frame.point, frame.du, frame.dv, uv, parent.along};
   }
