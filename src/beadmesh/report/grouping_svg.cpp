@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "beadmesh/report/drawing.h"
 #include "beadmesh/report/picture_view.h"
+#include "beadmesh/report/svg_text.h"
 
 namespace beadmesh {
 namespace {
@@ -43,7 +43,7 @@ PictureView view_of(const Panel& panel) {
   return view_of_area(sum, whole);
 }
 
-class Picture {
+class Picture : drawing::SvgText {
  public:
   Picture(const Panel& input, const Panel& composed, const BeadTable& table,
           const std::vector<GroupDecision>& decisions)
@@ -70,15 +70,10 @@ class Picture {
     draw_labels();
     draw_list(below);
     put("</svg>\n");
-    return fmt::to_string(out_);
+    return written();
   }
 
  private:
-  template <class... Values>
-  void put(fmt::format_string<Values...> format, const Values&... values) {
-    fmt::vformat_to(std::back_inserter(out_), format, fmt::make_format_args(values...));
-  }
-
   std::vector<Vec2> flat_points() const {
     std::vector<Vec2> flat;
     for (const PanelEdge& edge : input_.edges)
@@ -205,7 +200,6 @@ class Picture {
   std::vector<Role> roles_;             ///< per face of the input
   std::map<Index, std::string> words_;  ///< per number of a face
   int listed_ = 0;
-  fmt::memory_buffer out_;
 };
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include "beadmesh/report/drawing.h"
 #include "beadmesh/report/medial_legend.h"
+#include "beadmesh/report/svg_text.h"
 
 namespace beadmesh {
 namespace {
@@ -56,7 +56,7 @@ struct Sizes {
   }
 };
 
-class Picture {
+class Picture : drawing::SvgText {
  public:
   Picture(const std::vector<FaceMedial>& faces, const std::string& title, const MedialPicture& options)
       : faces_(faces), title_(title), options_(options) {
@@ -81,17 +81,12 @@ class Picture {
     draw_heading();
     draw_length_scale();
     for (size_t i = 0; i < faces_.size(); ++i) draw_face(i);
-    out_.append(legend_svg(legend_, {margin, bottom_ + margin}, drawing_width));
+    put_text(legend_svg(legend_, {margin, bottom_ + margin}, drawing_width));
     put("</svg>\n");
-    return fmt::to_string(out_);
+    return written();
   }
 
  private:
-  template <class... Values>
-  void put(fmt::format_string<Values...> format, const Values&... values) {
-    fmt::vformat_to(std::back_inserter(out_), format, fmt::make_format_args(values...));
-  }
-
   /// Rows from the top left, in the order of the faces, at the scale at which the largest face fits.
   void lay_out() {
     std::vector<std::vector<Vec2>> points;
@@ -283,7 +278,6 @@ class Picture {
   double scale_ = 1;
   double bottom_ = header;
   Legend legend_;
-  fmt::memory_buffer out_;
 };
 
 }  // namespace

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <vector>
 
 #include "beadmesh/mesh/element_quality.h"
 #include "beadmesh/report/drawing.h"
 #include "beadmesh/report/picture_view.h"
+#include "beadmesh/report/svg_text.h"
 
 namespace beadmesh {
 namespace {
@@ -60,7 +60,7 @@ double shade_factor(int shade) {
   return 0.66 + 0.40 * shade / (shades - 1);
 }
 
-class Picture {
+class Picture : drawing::SvgText {
  public:
   Picture(const PanelMesh& panel, const PanelPictureOptions& options)
       : panel_(panel),
@@ -83,15 +83,10 @@ class Picture {
     if (options_.labels) draw_labels();
     draw_legend();
     put("</svg>\n");
-    return fmt::to_string(out_);
+    return written();
   }
 
  private:
-  template <class... Values>
-  void put(fmt::format_string<Values...> format, const Values&... values) {
-    fmt::vformat_to(std::back_inserter(out_), format, fmt::make_format_args(values...));
-  }
-
   std::vector<Vec2> flat_nodes() {
     flat_.reserve(panel_.mesh.nodes.size());
     for (const Vec3& p : panel_.mesh.nodes) flat_.push_back(view_(p));
@@ -235,7 +230,6 @@ class Picture {
   PictureView view_;
   std::vector<Vec2> flat_;
   Frame frame_;
-  fmt::memory_buffer out_;
   double width_ = 0, height_ = 0;
   std::array<int, paint_count> count_{};
 };
