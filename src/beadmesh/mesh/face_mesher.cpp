@@ -59,7 +59,7 @@ PlanarMesh with_row(const NodeLoops& loops, const NodeLoops& inner, const Planar
 }
 
 /// As in smoothing: nodes end on the exact surface, lengths are measured on the facets.
-constexpr double min_edge_margin = 1.01;
+constexpr double min_edge_margin = 1.005;
 /// Scaled Jacobian that is given up for elements that would fail other criteria.
 constexpr double least_shape_of_joint_moves = 0.65;
 

@@ -19,9 +19,12 @@
 namespace beadmesh {
 namespace {
 
-/// Lengths are checked on the facets while meshing, on the exact surface at the end: the difference needs
-/// some room.
-constexpr double min_edge_margin = 1.01;
+/// Lengths are checked on the facets while meshing, on the exact surface and its edges at the end: the
+/// difference, a share of the length on the surface and half the chord of the facets at edges, needs some
+/// room.
+double with_room(double min_edge) {
+  return min_edge + std::max(0.01 * min_edge, 0.025);
+}
 
 /// Runs the tasks at once, each thread the largest that is left: a large one begun last would be waited for.
 template <class Task>
@@ -51,7 +54,7 @@ class PanelMesher {
         options_(options),
         controls_(std::move(controls)),
         context_(context),
-        inner_min_edge_(options.min_edge * min_edge_margin),
+        inner_min_edge_(with_room(options.min_edge)),
         field_(options.size, options.local_sizes, {options.chordal_deviation, 1.05 * inner_min_edge_}),
         chains_(chains_of(panel)),
         nodes_(panel, chains_),
@@ -175,7 +178,7 @@ class PanelMesher {
       return std::nullopt;
     }
     const FaceStudy& study = *studied_.studies[face];
-    BeadMesherOptions options{meshing.size, meshing.min_edge * min_edge_margin, {}, {}, controls_[b]};
+    BeadMesherOptions options{meshing.size, with_room(meshing.min_edge), {}, {}, controls_[b]};
     for (Index l = 0; l < Index(study.region.loops.size()); ++l) {
       options.elements_on_loop.push_back(ring_counts_[chains_.loops[face][l][0].chain]);
       options.prescribed.emplace_back();

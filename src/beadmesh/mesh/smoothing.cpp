@@ -16,7 +16,7 @@ namespace {
 
 /// The sheet is written with nodes on the exact surface, up to a sagitta off the facets that lengths are
 /// measured on.
-constexpr double min_edge_margin = 1.01;
+constexpr double min_edge_margin = 1.005;
 
 /// Scaled Jacobian that elements at a node of three quads can reach: the sine of 120 degrees, and a little
 /// more to strive for.
